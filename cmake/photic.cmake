@@ -32,13 +32,20 @@ set(flags_of_avx512 -mavx2 -mfma -mavx512f -mavx512bw -mavx512dq -mavx512vl -mpr
 # To optimise takes most of the time that a debug build needs, so only what tests would wait for is.
 set(optimised_also_for_debugging $<$<CONFIG:Debug>:-O1>)
 
-# photic_library(name SOURCES a.cpp … USES core … [LINKS …])  → target photic_name, headers under src/
+# What takes longer to compile than it ever runs: files of scenes and results, the command line, lanes of the baseline. In other
+# builds than releases all is compiled alike, as clang's precompiled header has to be. Bits are the same: nothing is contracted.
+set(sooner $<$<CONFIG:Release>:-O1>)
+
+# photic_library(name SOURCES a.cpp … USES core … [LINKS …] [SOONER])  → target photic_name, headers under src/
 function(photic_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;USES;LINKS;PRIVATE_INCLUDES" ${ARGN})
+  cmake_parse_arguments(ARG "SOONER" "" "SOURCES;USES;LINKS;PRIVATE_INCLUDES" ${ARGN})
   if(ARG_SOURCES)
     add_library(photic_${name} STATIC ${ARG_SOURCES})
     set(scope PUBLIC)
     target_link_libraries(photic_${name} PRIVATE photic_flags)
+    if(ARG_SOONER)
+      target_compile_options(photic_${name} PRIVATE ${sooner})
+    endif()
     if(NOT name STREQUAL "io")
       target_compile_options(photic_${name} PRIVATE ${optimised_also_for_debugging})
     endif()
@@ -114,10 +121,12 @@ function(photic_test_headers)
                             <algorithm> <cmath> <filesystem> <functional> <map> <optional> <random> <string> <vector>)
 endfunction()
 
-# photic_test(name SOURCES a.cpp … USES core … [LONG_LOOPS])  → one test program; ctest knows each of its tests,
-# under their folder in tests/ as label (ctest -L unit); target tests_unit builds all in tests/unit
+# photic_test(name SOURCES a.cpp … USES core … [LONG_LOOPS] [ENGINE] [NOT_SANITIZED filter] [LONG filter])  → one test
+# program; ctest knows each of its tests, under their folder in tests/ as label (ctest -L unit); target tests_unit builds all in
+# tests/unit. More labels: engine, of tests that run lanes and so run in a release, too; not_sanitized, of those that would follow
+# histories for a minute or more with sanitizers; long, of those that ./test quick leaves out. A filter is that of GoogleTest.
 function(photic_test name)
-  cmake_parse_arguments(ARG "LONG_LOOPS" "TIMEOUT" "SOURCES;USES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "LONG_LOOPS;ENGINE" "TIMEOUT;NOT_SANITIZED;LONG" "SOURCES;USES;LINKS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
@@ -135,7 +144,33 @@ function(photic_test name)
   # g++ 12 takes strings of a precompiled <string> for overruns; the sanitizers find real ones.
   target_compile_options(${name} PRIVATE -Wno-array-bounds)
   photic_test_label(label)
-  gtest_discover_tests(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${label} DISCOVERY_TIMEOUT 60)
+  set(labels ${label})
+  if(ARG_ENGINE)
+    list(APPEND labels engine)
+  endif()
+  set(apart ${ARG_NOT_SANITIZED} ${ARG_LONG})
+  list(JOIN apart ":" apart)
+  set(set_labels "")
+  foreach(part LONG NOT_SANITIZED REST)
+    set(filter "${ARG_${part}}")
+    if(part STREQUAL "REST")
+      set(filter "-${apart}")
+    elseif(filter STREQUAL "")
+      continue()
+    endif()
+    set(all ${labels})
+    if(NOT part STREQUAL "REST")
+      string(TOLOWER ${part} more)
+      list(APPEND all ${more})
+    endif()
+    # gtest_discover_tests takes no lists.
+    gtest_discover_tests(${name} TEST_FILTER "${filter}" TEST_LIST ${name}_${part} DISCOVERY_TIMEOUT 60
+                         PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+    string(APPEND set_labels
+           "if(${name}_${part})\n  set_tests_properties(\${${name}_${part}} PROPERTIES LABELS \"${all}\")\nendif()\n")
+  endforeach()
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${name}_labels.cmake "${set_labels}")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}_labels.cmake)
   string(REGEX REPLACE "/.*" "" kind ${label})
   if(NOT TARGET tests_${kind})
     add_custom_target(tests_${kind})
@@ -146,16 +181,21 @@ endfunction()
 # Debian's own interpreter: it has the packages of tools/install_packages, another python3 in PATH may not.
 set(PHOTIC_PYTHON /usr/bin/python3 CACHE FILEPATH "Python of the tests")
 
-# photic_pytest(a.py …)  → one test for each file, with the program and the Python package of this build; first in
-# line, for they take long: what is short fills the cores to the end
+# photic_pytest(a.py … [NOT_SANITIZED b.py …])  → one test for each file, with the program and the Python package of this build;
+# first in line, for they take long: what is short fills the cores to the end
 function(photic_pytest)
+  cmake_parse_arguments(ARG "" "" "NOT_SANITIZED" ${ARGN})
   photic_test_label(label)
-  foreach(file ${ARGN})
+  foreach(file ${ARG_UNPARSED_ARGUMENTS} ${ARG_NOT_SANITIZED})
     get_filename_component(stem ${file} NAME_WE)
     add_test(NAME ${label}.${stem}
              COMMAND ${PHOTIC_PYTHON} -m pytest -q -p no:cacheprovider ${CMAKE_CURRENT_SOURCE_DIR}/${file})
     set(environment "PHOTIC_PROGRAM=$<TARGET_FILE:photic>" "PHOTIC_BUILD=${PROJECT_BINARY_DIR}"
         "PYTHONPATH=${PROJECT_SOURCE_DIR}/python" PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=Agg)
-    set_tests_properties(${label}.${stem} PROPERTIES LABELS ${label} TIMEOUT 300 COST 10 ENVIRONMENT "${environment}")
+    set(labels ${label})
+    if(file IN_LIST ARG_NOT_SANITIZED)
+      list(APPEND labels not_sanitized)
+    endif()
+    set_tests_properties(${label}.${stem} PROPERTIES LABELS "${labels}" TIMEOUT 300 COST 10 ENVIRONMENT "${environment}")
   endforeach()
 endfunction()

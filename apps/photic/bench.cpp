@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_columns = 6;
+constexpr std::size_t max_columns = 6;
 
 /// The lines of [simulation] that set an estimator and the options that candidates differ in.
 Json settings_of(const scene::Simulation& s) {
@@ -56,7 +56,7 @@ struct Column {
 };
 
 std::vector<Column> columns(std::size_t gates) {
-  const std::size_t count = std::min(most_columns, gates);
+  const std::size_t count = std::min(max_columns, gates);
   std::vector<Column> out;
   for (std::size_t i = 0; i < count; ++i)
     out.push_back({i * gates / count, (i + 1) * gates / count});

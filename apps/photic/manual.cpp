@@ -16,7 +16,7 @@ constexpr int name_column = 26;  // of options
 constexpr int command_column = 12;
 constexpr int example_column = 46;
 
-int usable(int width) { return std::clamp(width, static_cast<int>(io::least_width), widest); }
+int usable(int width) { return std::clamp(width, static_cast<int>(io::min_width), widest); }
 
 /// A name and its meaning beside it, or below where the name or the terminal leaves no room.
 std::string entry(const std::string& name, const std::string& meaning, int column, int width) {

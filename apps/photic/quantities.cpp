@@ -69,8 +69,8 @@ std::vector<double> wavelength_range(const std::string& text) {
   if (to < from) refuse(text, "ends before it begins (write 400:700:10)");
   constexpr double rounding = 1e-9;  // of a step: 0.1 is not a whole part of anything
   const double steps = std::floor((to - from) / step + rounding);
-  if (!(steps < most_wavelengths))
-    refuse(text, fmt::format("is more than {} wavelengths", most_wavelengths));
+  if (!(steps < max_wavelengths))
+    refuse(text, fmt::format("is more than {} wavelengths", max_wavelengths));
   std::vector<double> out;
   for (int i = 0; i <= static_cast<int>(steps); ++i) out.push_back(from + i * step);
   return out;
@@ -129,8 +129,8 @@ std::vector<double> wavelengths_nm(const std::string& text) {
       out.insert(out.end(), range.begin(), range.end());
     }
   }
-  if (out.size() > most_wavelengths)
-    refuse(text, fmt::format("is more than {} wavelengths", most_wavelengths));
+  if (out.size() > max_wavelengths)
+    refuse(text, fmt::format("is more than {} wavelengths", max_wavelengths));
   for (std::size_t i = 1; i < out.size(); ++i) {
     if (out[i] == out[i - 1]) refuse(text, fmt::format("has {:g} nm twice", out[i]));
     if (out[i] < out[i - 1])

@@ -25,8 +25,8 @@ double bench_seconds(const std::string& text);
 std::string seed_value(const std::string& text);
 
 /// "355,532,685" or "400:700:10", or both in one list: ascending wavelengths in nm, at most
-/// most_wavelengths.
-inline constexpr std::size_t most_wavelengths = 10000;
+/// max_wavelengths.
+inline constexpr std::size_t max_wavelengths = 10000;
 std::vector<double> wavelengths_nm(const std::string& text);
 
 /// "532" or "532.0": a wavelength in nm, above 0.

@@ -11,7 +11,7 @@ from measure.program import Failed
 SHIP, PEAKED = "scenes/ship.toml", "scenes/benchmark-peaked.toml"
 
 
-def least_of(runner, rounds, key, runs):
+def min_of(runner, rounds, key, runs):
     """The least seconds of each of several runs, which take turns, so that all meet the same load."""
     least = dict.fromkeys(runs, math.inf)
     for _ in range(runner.choose(rounds, 1)):
@@ -143,7 +143,7 @@ def measure_threads(runner):
     out = {}
     for name, photons in (("forward", 5e6), ("bidirectional", 2e5)):
         run = ("run", PEAKED, *estimator(name), "--photons", runner.photons(photons, name), "--threads")
-        out[name] = least_of(runner, 3, "wall_time_s", {"1": (*run, 1), "2": (*run, 2)})
+        out[name] = min_of(runner, 3, "wall_time_s", {"1": (*run, 1), "2": (*run, 2)})
     return out
 
 
@@ -160,7 +160,7 @@ def costs(runner, rounds, photons, variants):
     out = {}
     for name in BOTH:
         more = (*estimator(name), "--threads", 1, "--photons", runner.photons(photons[name], name))
-        out[name] = least_of(runner, rounds, "cpu_s", {key: ("run", *words, *more) for key, words in variants.items()})
+        out[name] = min_of(runner, rounds, "cpu_s", {key: ("run", *words, *more) for key, words in variants.items()})
     return out
 
 
@@ -222,7 +222,7 @@ def measure_start(runner):
         "ship, auto": ("run", SHIP, *few),
         "three layers, auto": ("run", "scenes/three-layers.toml", *few),
     }
-    return least_of(runner, 5, "wall_s", runs)
+    return min_of(runner, 5, "wall_s", runs)
 
 
 def rows_start(raw):

@@ -8,7 +8,6 @@ import xarray
 from photic.errors import Error
 
 FORMAT = 3  # the newest layout this package reads
-PARTS_CONVERGED = ("echo_by_process_converged", "echo_by_order_converged")
 
 
 def open(path):
@@ -65,27 +64,20 @@ def scene_of(result):
 
 def _named(dataset):
     """Echoes by the names of telescopes, channels and processes."""
-    others = ("environment", "environment_path", "parameter")
-    has = {axis: axis + "_name" in dataset for axis in others}
-    for axis in ["telescope", "channel", "process"] + [axis for axis in has if has[axis]]:
-        if axis + "_name" not in dataset and axis in dataset.coords:
-            continue  # a dataset of this function, written by xarray
+    for axis in [axis for axis in dataset.dims if axis + "_name" in dataset]:
         names = dataset[axis + "_name"]
         dataset = dataset.assign_coords({axis: (axis, names.values.astype(str), names.attrs)})
         dataset = dataset.drop_vars(axis + "_name")
-    flags = {"environment": "environment_converged", "parameter": "sensitivity_converged"}
-    parts = [name for name in PARTS_CONVERGED if name in dataset]  # earlier results have none
-    for name in ["converged"] + parts + [flags[axis] for axis in flags if has[axis]]:
+    for name in [name for name in dataset.data_vars if name == "converged" or name.endswith("_converged")]:
         # With bytes, ~ds.converged would be true everywhere.
         converged = dataset[name].astype(bool)
         converged.attrs = {"long_name": dataset[name].attrs["long_name"]}
         dataset[name] = converged
-    if has["environment_path"]:
+    if "environment_path" in dataset.dims:
         for one in dataset.environment_value.transpose("environment_path", ...):
             path = str(one.environment_path.values)
             dataset = dataset.assign_coords({path: ("environment", one.values, {"long_name": path})})
-    bounds = ["gate_time_bounds", "gate_depth_bounds", "depth_bounds"]
-    return dataset.set_coords([name for name in bounds if name in dataset])
+    return dataset.set_coords([name for name in dataset.data_vars if name.endswith("_bounds")])
 
 
 def is_optics(dataset):

@@ -9,11 +9,11 @@ namespace photic::estimator {
 namespace {
 
 /// Instruments at the sea's level count as a little above.
-constexpr double least_height_m = 1e-6;
+constexpr double min_height_m = 1e-6;
 
 template <class Instrument>
 void turn_upside_down(Instrument& instrument) {
-  instrument.position_m.z = std::min(-instrument.position_m.z, -least_height_m);
+  instrument.position_m.z = std::min(-instrument.position_m.z, -min_height_m);
   instrument.direction.z = -instrument.direction.z;
 }
 

@@ -11,15 +11,10 @@
 #include <cstdint>
 
 #include "estimator/model.hpp"
+#include "estimator/random_blocks.hpp"
 #include "estimator/world.hpp"
 
 namespace photic::estimator {
-
-/// Folded into the seed: light in the air shares no random number with the light in the water, nor
-/// histories with the walks that they are beside.
-inline constexpr std::uint64_t air_stream = 0x1f83d9abfb41bd6b,
-                               beside_air_stream = 0xa54ff53a5f1d36f1,
-                               beside_water_stream = 0x3c6ef372fe94f82b;
 
 /// Of a model with air.
 Model model_of_air(const Model& model);

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "estimator/cross_waves.hpp"
+#include "estimator/random_blocks.hpp"
 #include "transport/cross_waves.hpp"
 #include "transport/waves_back.hpp"
 
@@ -24,10 +25,9 @@ struct ByFacets {
 /// them back into the water, most of them at once. Their weight takes the chance of that.
 enum class Facets : std::int8_t { any, several, that_return };
 
-/// Blocks of an event's random numbers, two for each facet, as far apart as receivers' never are.
-inline constexpr std::uint32_t apart_of_facets = std::uint32_t{1} << 12;
+/// The block of one of a facet's two parts; an instrument's walks add their first block.
 inline constexpr std::uint32_t block_of_facet(std::uint32_t facet, std::uint32_t part) {
-  return facet_blocks + (2 * facet + part) * apart_of_facets;
+  return walk_facet_blocks[(2 * facet + part) * walk_blocks.count];
 }
 
 /// Walks of the laser's light, of a mask. met(mask, meeting) is told of each facet.
@@ -37,7 +37,7 @@ ByFacets<T> light_by_facets(const surface::RoughSurface<T>& surface, transport::
                             Met met_surface) {
   ByFacets<T> out;
   transport::AtWaves<T> at{stand, Mask<T>(in_air)};
-  for (std::uint32_t facet = 0; facet < most_facets && any(at.meets); ++facet) {
+  for (std::uint32_t facet = 0; facet < max_facets && any(at.meets); ++facet) {
     if (facet == 1) out.several = at.meets;
     const Mask<T> meets = at.meets;
     const std::array<T, 4> u = draw(block_of_facet(facet, 0));
@@ -61,7 +61,7 @@ ByFacets<T> back_by_facets(const surface::RoughSurface<T>& surface, transport::P
                            Met met_surface) {
   ByFacets<T> out;
   transport::BackAtWaves<T> at{stand, Mask<T>(in_air), Mask<T>(false)};
-  for (std::uint32_t facet = 0; facet < most_facets && any(at.meets); ++facet) {
+  for (std::uint32_t facet = 0; facet < max_facets && any(at.meets); ++facet) {
     if (facet == 1) out.several = at.meets;
     const Mask<T> meets = at.meets;
     const std::array<T, 4> u = draw(block_of_facet(facet, 0));

@@ -143,20 +143,20 @@ EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, 
     return cone;
   }
   spot.radius_per_depth += farthest * of_facets * slope / (cone.steep * cone.steep);
-  spot.least_path_per_depth = std::numeric_limits<double>::infinity();
-  double most_per_depth = 0;
+  spot.min_path_per_depth = std::numeric_limits<double>::infinity();
+  double max_per_depth = 0;
   const double flattest = std::min(axis_angle + std::acos(1 - cone.free_within), 1.4);
   for (const auto& line : medium.line) {
-    spot.least_path_per_depth = std::min(spot.least_path_per_depth, line.group_index);
-    most_per_depth = std::max(most_per_depth, line.group_index / std::cos(flattest));
+    spot.min_path_per_depth = std::min(spot.min_path_per_depth, line.group_index);
+    max_per_depth = std::max(max_per_depth, line.group_index / std::cos(flattest));
   }
-  spot.most_shorter += deepest * (most_per_depth - spot.least_path_per_depth);
+  spot.max_shorter += deepest * (max_per_depth - spot.min_path_per_depth);
   return cone;
 }
 
 /// So many walks of an instrument in the water begin at the facets, of those whose rays go up; and
 /// of all no fewer than the least, if any rays do.
-constexpr double share_by_facets = 0.25, least_by_facets = 0.02;
+constexpr double share_by_facets = 0.25, min_by_facets = 0.02;
 
 /// How much of a cone goes up.
 double share_upwards(const Vec3<double>& axis, double half_angle) {
@@ -170,7 +170,7 @@ double share_upwards(const Vec3<double>& axis, double half_angle) {
       const double x = widest * (i + 0.5) / rings;
       up += turned(axis, x, std::cos(azimuth), std::sin(azimuth)).z > 0;
     }
-  return std::max(least_by_facets / share_by_facets, static_cast<double>(up) / (rings * azimuths));
+  return std::max(min_by_facets / share_by_facets, static_cast<double>(up) / (rings * azimuths));
 }
 
 }  // namespace

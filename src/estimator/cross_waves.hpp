@@ -6,14 +6,10 @@
 
 #include "core/random.hpp"
 #include "estimator/event.hpp"
+#include "estimator/random_blocks.hpp"
 #include "transport/cross_waves.hpp"
 
 namespace photic::estimator {
-
-/// Blocks of an event's random numbers, from here on one for each facet.
-inline constexpr std::uint32_t facet_blocks = std::uint32_t{1} << 20;
-/// Light that is still between facets after so many is lost, and counted.
-inline constexpr std::uint32_t most_facets = 64;
 
 /// Those of `at` who meet facets do so until they have left the surface. observe(at, facet) is told
 /// before each facet that is met, met(mask, meeting) behind it; emit(at, facet) tells who goes down
@@ -26,13 +22,13 @@ void cross_waves(const World<T>& world, const RandomPlace<T>& place, Track<T>& t
   const Mask<T> came = at.meets;
   const auto surface = surface::rough_surface<T>(world.sea, t.photon.line);
   Mask<T> in_water(false);
-  for (std::uint32_t facet = 0; facet < most_facets && any(at.meets); ++facet) {
+  for (std::uint32_t facet = 0; facet < max_facets && any(at.meets); ++facet) {
     observe(at, facet);
     const Mask<T> emitted = emit(at, facet);
     in_water = in_water | emitted;
     at.meets = at.meets & !emitted;
     const Mask<T> meets = at.meets;
-    const auto u = uniforms(place, facet_blocks + facet);
+    const auto u = uniforms(place, facet_blocks[facet]);
     const auto met = transport::meet_waves(surface, t.photon, at, {u[0], u[1], u[2], u[3]}, splits);
     met_surface(meets, met.meeting);
     // In the mean facets neither take light nor give it; a single one does.

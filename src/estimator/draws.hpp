@@ -7,15 +7,10 @@
 
 #include "core/random.hpp"
 #include "core/sobol.hpp"
+#include "estimator/random_blocks.hpp"
 #include "estimator/world.hpp"
 
 namespace photic::estimator {
-
-/// Blocks of a photon's event 0, from here on: of the points of lenses.
-inline constexpr std::uint32_t lens_block = 1;
-
-/// Blocks from here on hold the keys that scramble the points of a batch; walks draw below.
-inline constexpr std::uint32_t key_blocks = std::uint32_t{1} << 31;
 
 /// The uniforms of a batch's photons, or walks from the laser or from one of the telescopes.
 template <class T>
@@ -30,7 +25,7 @@ class Draws {
       const std::uint32_t event = i / 4 / quasi_random_blocks, slot = i / 4 % quasi_random_blocks;
       if (slot < first_slot) continue;
       const auto words = philox_words(world.key, batch / world.batch_photons, event,
-                                      key_blocks + first_block + (slot - first_slot));
+                                      key_blocks[first_block + (slot - first_slot)]);
       std::ranges::copy(words, &keys_[i]);
     }
   }
@@ -106,7 +101,7 @@ Draws<T> draws_of_laser(const World<T>& world, std::uint64_t batch) {
 }
 template <class T>
 Draws<T> draws_of(const World<T>& world, const Receiver<T>& receiver, std::uint64_t batch) {
-  return {world, batch, 4 + 4 * static_cast<std::uint32_t>(receiver.number), 1};
+  return {world, batch, walk_blocks[4 + 4 * static_cast<std::uint32_t>(receiver.number)], 1};
 }
 
 }  // namespace photic::estimator

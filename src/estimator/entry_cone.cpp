@@ -68,8 +68,8 @@ Spot<double> spot_of(const Rays& rays, const medium::Medium& medium, const Vec3<
   spot.y = rays.position.y + height * axis.y / -axis.z;
   spot.x_per_depth = in_water.x / -in_water.z;
   spot.y_per_depth = in_water.y / -in_water.z;
-  double most = 0, most_per_depth = 0;
-  spot.least_path = spot.least_path_per_depth = std::numeric_limits<double>::infinity();
+  double most = 0, max_per_depth = 0;
+  spot.min_path = spot.min_path_per_depth = std::numeric_limits<double>::infinity();
   each_ray(rays, medium, [&](const Vec3<double>& outside, const Vec3<double>& u, std::size_t l) {
     const double aside = std::hypot(outside.x / -outside.z - axis.x / -axis.z,
                                     outside.y / -outside.z - axis.y / -axis.z);
@@ -79,17 +79,16 @@ Spot<double> spot_of(const Rays& rays, const medium::Medium& medium, const Vec3<
         std::hypot(u.x / u.z - in_water.x / in_water.z, u.y / u.z - in_water.y / in_water.z));
     const double at_surface = path(outside);
     const double per_depth = medium.line[l].group_index / std::abs(u.z);
-    spot.least_path = std::min(spot.least_path, at_surface);
-    spot.least_path_per_depth = std::min(spot.least_path_per_depth, per_depth);
+    spot.min_path = std::min(spot.min_path, at_surface);
+    spot.min_path_per_depth = std::min(spot.min_path_per_depth, per_depth);
     most = std::max(most, at_surface);
-    most_per_depth = std::max(most_per_depth, per_depth);
+    max_per_depth = std::max(max_per_depth, per_depth);
   });
   spot.radius *= between;
   spot.radius_per_depth *= between;
   const double way_down =  // in the water perhaps by the surface
       deepest + (rays.in_air ? 0 : std::abs(rays.position.z));
-  spot.most_shorter =
-      most - spot.least_path + way_down * (most_per_depth - spot.least_path_per_depth);
+  spot.max_shorter = most - spot.min_path + way_down * (max_per_depth - spot.min_path_per_depth);
   return spot;
 }
 
@@ -228,8 +227,8 @@ EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Me
   if (rays.in_air && rise > 0) {
     cone.spot.radius *= 1 + rise / rays.position.z;
     const double shorter = rise / std::max(0.05, -t.axis.z);
-    cone.spot.least_path -= 2 * shorter;
-    cone.spot.most_shorter += 4 * shorter;
+    cone.spot.min_path -= 2 * shorter;
+    cone.spot.max_shorter += 4 * shorter;
   }
   return cone;
 }

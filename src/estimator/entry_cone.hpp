@@ -24,8 +24,8 @@ template <class T>
 struct Spot {
   T x{}, y{}, x_per_depth{}, y_per_depth{};  ///< of the axis, from the instrument's middle [m]
   T radius{}, radius_per_depth{};
-  T least_path{}, least_path_per_depth{};  ///< as walks count it [m]
-  T most_shorter{};                        ///< a ray's way becomes shorter by no more [m]
+  T min_path{}, min_path_per_depth{};  ///< as walks count it [m]
+  T max_shorter{};                     ///< a ray's way becomes shorter by no more [m]
 };
 
 /// A part of a cone, from that within it on, in which directions are drawn evenly.
@@ -38,12 +38,12 @@ struct EntryRing {
 
 template <class T>
 struct EntryCone {
-  static constexpr std::size_t most_rings = 8;
+  static constexpr std::size_t max_rings = 8;
 
   Vec3<T> axis;              ///< in the water, away from the instrument: a unit vector
   Vec3<T> outside;           ///< the instrument's axis
   T beside_x{}, beside_y{};  ///< n axis - outside, level components; 0 unless that looks away
-  std::array<EntryRing<T>, most_rings> ring;  ///< from the axis outwards
+  std::array<EntryRing<T>, max_rings> ring;  ///< from the axis outwards
   std::size_t rings = 1;
   T steep{1};  ///< cosine of the axis to the vertical, > 0
   bool in_air = false;
@@ -263,8 +263,8 @@ EntryCone<T> cone_cast(const EntryCone<double>& c) {
   out.spot = {T(s.x),           T(s.y),
               T(s.x_per_depth), T(s.y_per_depth),
               T(s.radius),      T(s.radius_per_depth),
-              T(s.least_path),  T(s.least_path_per_depth),
-              T(s.most_shorter)};
+              T(s.min_path),    T(s.min_path_per_depth),
+              T(s.max_shorter)};
   return out;
 }
 

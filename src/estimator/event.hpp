@@ -22,7 +22,7 @@
 namespace photic::estimator {
 
 /// A photon that has not ended after so many events is lost, and counted.
-inline constexpr std::int32_t most_events = 1'000'000;
+inline constexpr std::int32_t max_events = 1'000'000;
 
 /// Those who are on their way, one in each lane.
 template <class T>
@@ -127,7 +127,7 @@ void end_event(Steps& steps, Tracks& t) {
   steps.play_roulette(t);
   const Mask<T> on = t.on;
   const Mask<T> finite = t.photon.weight <= T(std::numeric_limits<Element<T>>::max());
-  const Mask<T> fresh = steps.event_of(t) < Index<T>(most_events);
+  const Mask<T> fresh = steps.event_of(t) < Index<T>(max_events);
   t.on = on & finite & fresh;
   if (!any(on & !(finite & fresh))) return;
   steps.tally.not_finite += count(on & !finite);

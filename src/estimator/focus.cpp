@@ -11,7 +11,7 @@ namespace photic::estimator {
 namespace {
 
 /// Below it the surface counts as out of focus.
-constexpr double least_share = 0.9;
+constexpr double min_share = 0.9;
 
 /// Of the open lens, whose rays from a point on the axis reach the detector (docs/theory.md, eq. 32
 /// with q = 0). `distance`: how far the point seems to be from the lens [m].
@@ -88,7 +88,7 @@ void check_focus(const scene::Scene& scene, scene::Findings& findings) {
     const auto distance = distance_to_sea(lens);
     if (!distance) continue;
     const double share = share_of_lens(lens, *distance);
-    if (share >= least_share) continue;
+    if (share >= min_share) continue;
     const std::string advice = *distance > lens.focal_length_m
                                    ? fmt::format("focus_m = {:.6g} puts it in focus, ", *distance)
                                    : "";

@@ -8,8 +8,10 @@
 #include <tuple>
 
 #include "core/constants.hpp"
+#include "core/error.hpp"
 #include "estimator/focus.hpp"
 #include "estimator/nested_views.hpp"
+#include "estimator/random_blocks.hpp"
 #include "estimator/round_earth.hpp"
 #include "estimator/strategies.hpp"
 #include "estimator/walk_attenuation.hpp"
@@ -27,7 +29,7 @@
 namespace photic::estimator {
 namespace {
 
-constexpr std::uint64_t most_batch_photons_of_walks = 2000;
+constexpr std::uint64_t max_batch_photons_of_walks = 2000;
 constexpr std::uint64_t enough_batches = 40;  // to know errors by their scatter
 
 /// The process of a line's light that has touched something.
@@ -64,16 +66,15 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
                         const tally::Gates& gates) {
   tally::Shape shape;
   const auto processes = processes_in(medium, air);
+  shape.grids = tally::echo_grids(static_cast<std::size_t>(scene.simulation.orders_kept) + 1,
+                                  processes, gates.depth_edges(scene.gates.depth_cells));
+  for (const std::string& process : processes)
+    shape.grid("echo_by_process")
+        .beside_walks.push_back(process == "surface" ||
+                                process == scene::word_of(medium::Process::oil));
   shape.telescopes = scene.telescope.size();
   shape.channels = scene.channel.size();
-  shape.processes = processes.size();
-  shape.orders = static_cast<std::size_t>(scene.simulation.orders_kept) + 1;  // and 0
   shape.gates = static_cast<std::size_t>(gates.count());
-  if (const auto depth = gates.depth_edges(scene.gates.depth_cells); !depth.empty()) {
-    shape.depths = depth.size() - 1;
-    shape.depth_min = depth.front();
-    shape.per_depth_step = static_cast<double>(shape.depths) / (depth.back() - depth.front());
-  }
   shape.max_order = static_cast<std::int32_t>(scene.simulation.max_order.value_or(0));
   if (scene.simulation.estimator == scene::Estimator::bidirectional)
     shape.walked = tally::kinds_of_walked;
@@ -89,9 +90,6 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
     }
     shape.channels_of_line.push_back(std::move(counted_by));
   }
-  for (const std::string& process : processes)
-    shape.beside_walks.push_back(process == "surface" ||
-                                 process == scene::word_of(medium::Process::oil));
   const auto last_touched = static_cast<std::int32_t>(touched_in(medium, air).back());
   for (std::int32_t touched = 0; touched <= last_touched; ++touched)
     for (const auto& line : medium.line) {
@@ -167,10 +165,10 @@ std::string values_untold(const scene::Environment& environment) {
 std::uint64_t batch_photons(const scene::Simulation& simulation) {
   if (simulation.batch_photons) return *simulation.batch_photons;
   std::uint64_t photons = simulation.estimator == scene::Estimator::bidirectional
-                              ? most_batch_photons_of_walks
-                              : scene::most_batch_photons;
+                              ? max_batch_photons_of_walks
+                              : scene::max_batch_photons;
   if (!simulation.photons) return photons;
-  while (photons > scene::least_batch_photons && *simulation.photons / photons < enough_batches)
+  while (photons > scene::min_batch_photons && *simulation.photons / photons < enough_batches)
     photons /= 2;
   return photons;
 }
@@ -186,9 +184,28 @@ scene::Check optics_check() {
   };
 }
 
+namespace {
+
+/// Walks of each telescope and process draw random numbers of their own.
+void check_instruments(const scene::Scene& scene, const medium::Medium& medium) {
+  std::size_t processes = 0;
+  for (std::size_t l = 0; l < medium.line.size(); ++l)
+    processes += l == 0 || medium.line[l].process != medium.line[l - 1].process ? 1 : 0;
+  const std::size_t views = nested_views(scene).size();
+  if (views * processes < max_instruments) return;
+  throw InputError({{.file = {},
+                     .reason = fmt::format("telescopes (those inside each other count once) times "
+                                           "processes are {}; random numbers are kept for {}",
+                                           views * processes, max_instruments - 1),
+                     .suggestion = "run some of the telescopes in a scene of their own"}});
+}
+
+}  // namespace
+
 Model make_model(const scene::Scene& scene) {
   const optics::Library library(optics::find_data_folder());
   auto medium = medium::build_medium(scene, library);
+  check_instruments(scene, medium);
   auto air = medium::build_air(scene, medium.line);
   auto tables = air ? air_tables_of(scene, *air) : std::vector<AirTables>{};
   auto others = air && scene.compares() ? medium::other_airs(scene, medium.line)
@@ -262,8 +279,6 @@ tally::Result describe(const Model& model) {
     result.parameter_name.push_back(s.path);
     result.parameter_value.push_back(s.value);
   }
-  result.process_name = processes_in(medium, air.has_value());
-  result.orders = static_cast<std::int64_t>(shape.orders);
   result.gate_depth_is_range = gates.depth_is_range();
   for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {
     result.gate_time_edge_ns.push_back(gates.edge_time_ns(edge));
@@ -287,7 +302,6 @@ tally::Result describe(const Model& model) {
         result.film_attenuation_per_m.push_back(ways.attenuation_per_m);
         result.film_interface_ratio.push_back(ways.interface_ratio);
       }
-  result.depth_edge_m = gates.depth_edges(scene.gates.depth_cells);
   result.title = scene.title;
   result.scene_toml = scene::write_scene(scene_told(model));
   result.estimator = scene::word_of(scene.simulation.estimator);

@@ -61,9 +61,9 @@ struct Deadline {
   }
 
   /// The shortest way, at the least group index, is over in time.
-  Mask<T> is_met(const transport::Photon<T>& photon, const T& least_group_index) const {
+  Mask<T> is_met(const transport::Photon<T>& photon, const T& min_group_index) const {
     using std::abs;
-    return photon.path + least_group_index * T(abs(z - photon.position.z)) < path;
+    return photon.path + min_group_index * T(abs(z - photon.position.z)) < path;
   }
 };
 

@@ -14,7 +14,7 @@ struct Reach {
   double deepest, range;
 };
 inline Reach reach_of(const scene::Scene& scene, const medium::Medium& medium, double last_path,
-                      double least_group_index) {
+                      double min_group_index) {
   const auto above = [](double z) { return std::max(0.0, z); };
   const auto depth = [](double z) { return std::max(0.0, -z); };
   const double source = scene.source.position_m.z;
@@ -27,8 +27,8 @@ inline Reach reach_of(const scene::Scene& scene, const medium::Medium& medium, d
         last_path - above(source) - above(t.position_m.z) + (submerged ? 0 : rise);
     const double higher = std::min(depth(source), depth(t.position_m.z));
     const double lower = std::max(depth(source), depth(t.position_m.z));
-    const double deepest = std::max(
-        lower, (in_water / least_group_index + higher + lower + (submerged ? rise : 0)) / 2);
+    const double deepest =
+        std::max(lower, (in_water / min_group_index + higher + lower + (submerged ? rise : 0)) / 2);
     reach = {std::max(reach.deepest, deepest), std::max(reach.range, deepest - higher)};
   }
   reach.deepest = std::min(reach.deepest, medium.top.back());

@@ -16,7 +16,7 @@ namespace photic::estimator {
 namespace {
 
 /// Of phase functions over the cones of instruments.
-constexpr std::size_t most_means = 500;
+constexpr std::size_t max_means = 500;
 
 Strategy off(std::string name, std::string reason) {
   return {std::move(name), false, std::move(reason)};
@@ -142,9 +142,9 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
   // Each phase function takes a millisecond and 90 kB for each instrument.
   const std::size_t means =
       static_cast<std::size_t>(medium.phase_count()) * (1 + nested_views(scene).size());
-  if (means > most_means) {
+  if (means > max_means) {
     const std::string reason = fmt::format(
-        "{} means of phase functions over views would be needed, more than {}", means, most_means);
+        "{} means of phase functions over views would be needed, more than {}", means, max_means);
     for (Strategy* free : {&out.free_telescope, &out.free_laser}) *free = off(free->name, reason);
   }
   return out;

@@ -16,7 +16,7 @@ template <class T>
 Mask<T> in_time(const World<T>& world, const transport::Photon<T>& photon) {
   Mask<T> in_time(false);
   for (const Deadline<T>& deadline : world.deadlines)
-    in_time = in_time | deadline.is_met(photon, world.least_group_index);
+    in_time = in_time | deadline.is_met(photon, world.min_group_index);
   return in_time;
 }
 

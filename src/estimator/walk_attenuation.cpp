@@ -10,7 +10,7 @@ namespace photic::estimator {
 namespace {
 
 /// Of the highest albedo (docs/decisions/0010).
-constexpr double least_per_albedo = 0.9;
+constexpr double min_per_albedo = 0.9;
 
 /// Best on most waters (docs/decisions/0010 and 0035).
 constexpr double usual = 0.6;
@@ -24,11 +24,11 @@ constexpr double near_high = 0.8;
 /// Photons of the forward estimator draw them from scattering alone, absorption being continuous
 /// along them: deep light is then reached by more photons, of less weight. Where water hardly
 /// scatters, from this share of c.
-constexpr double least_walk_share = 0.2;
+constexpr double min_walk_share = 0.2;
 
 /// Environments draw the free paths of all towards what they would draw them from alone, but the
 /// scene's by no more than this factor: its own echo is not to suffer (docs/decisions/0015).
-constexpr double most_change_of_walks = 1.5;
+constexpr double max_change_of_walks = 1.5;
 
 /// The share of c that a simulation's free paths are drawn from in water of an albedo.
 class Share {
@@ -40,7 +40,7 @@ class Share {
   }
   double operator()(bool emitted, double albedo) const {
     if (analog_) return 1;  // nothing is absorbed along free paths
-    if (!walk_attenuation_) return std::max(albedo, least_walk_share);
+    if (!walk_attenuation_) return std::max(albedo, min_walk_share);
     const double own = *walk_attenuation_;
     return emitted && own < 1 ? std::max(emitted_walk_share * own, std::min(own, albedo)) : own;
   }
@@ -66,7 +66,7 @@ double share_in(const medium::Medium& medium, std::size_t cell, const Share& sha
     most = std::max(most, share);
   }
   const double change =
-      std::clamp((least + most) / 2 / own, 1 / most_change_of_walks, most_change_of_walks);
+      std::clamp((least + most) / 2 / own, 1 / max_change_of_walks, max_change_of_walks);
   return std::min(own * change, 1.0);
 }
 
@@ -84,15 +84,15 @@ double highest_albedo(const medium::Medium& medium) {
   return *std::max_element(medium.albedo.begin(), medium.albedo.begin() + medium.layers());
 }
 
-double least_walk_attenuation(double highest_albedo) { return least_per_albedo * highest_albedo; }
+double min_walk_attenuation(double highest_albedo) { return min_per_albedo * highest_albedo; }
 
 double usual_walk_attenuation(double highest_albedo) {
-  return usual >= least_walk_attenuation(highest_albedo) ? usual : std::min(highest_albedo, high);
+  return usual >= min_walk_attenuation(highest_albedo) ? usual : std::min(highest_albedo, high);
 }
 
 std::vector<double> walk_attenuations(double highest_albedo) {
   std::vector<double> out;
-  if (low >= least_walk_attenuation(highest_albedo)) out.push_back(low);
+  if (low >= min_walk_attenuation(highest_albedo)) out.push_back(low);
   out.push_back(usual_walk_attenuation(highest_albedo));
   if (out.back() < near_high) out.push_back(high);
   return out;
@@ -109,7 +109,7 @@ void check_walk_attenuation(const scene::Scene& scene, double highest_albedo,
   const bool walks = asked.estimator == scene::Estimator::automatic ||
                      asked.estimator == scene::Estimator::bidirectional;
   if (!walks || !asked.walk_attenuation || !findings.good({path, "simulation.estimator"})) return;
-  if (*asked.walk_attenuation >= least_walk_attenuation(highest_albedo)) return;
+  if (*asked.walk_attenuation >= min_walk_attenuation(highest_albedo)) return;
   findings.remark(
       path,
       fmt::format("{} is small for water where scattering is {:.3g} of the attenuation: weights "

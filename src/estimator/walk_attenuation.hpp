@@ -21,7 +21,7 @@ double highest_albedo(const medium::Medium& medium);
 
 /// Where c' is smaller than b, weights grow at every vertex: below this value the tail that this
 /// makes is longer than a run.
-double least_walk_attenuation(double highest_albedo);
+double min_walk_attenuation(double highest_albedo);
 
 /// Those worth a try, ascending; at least one.
 std::vector<double> walk_attenuations(double highest_albedo);

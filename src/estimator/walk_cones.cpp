@@ -44,7 +44,7 @@ constexpr double next_of_nested = 0.5;
 /// The narrower cones in which walks of telescopes with nested views begin: in equal shares, from
 /// the narrowest view to the widest.
 std::vector<InnerCone> in_nested(const scene::Scene& scene, const NestedViews& views) {
-  constexpr std::size_t most = EntryCone<double>::most_rings - 1;
+  constexpr std::size_t most = EntryCone<double>::max_rings - 1;
   const auto half_angle = [&](std::size_t i) { return half_view(scene.telescope[views[i]]); };
   std::vector<InnerCone> inner;
   double last = half_angle(views.size() - 1);

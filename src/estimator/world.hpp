@@ -124,7 +124,7 @@ struct World {
   std::vector<ViewCone<T>> cones;           ///< to choose points in that are scored
   std::vector<double> path_to_origin;       ///< of each telescope, see path_to_origin()
   std::vector<Deadline<T>> deadlines;       ///< one of which the laser's light has to meet
-  T least_group_index{};                    ///< of all lines
+  T min_group_index{};                      ///< of all lines
   T directed{};                             ///< share of directions drawn towards a telescope
   bool directs = false;                     ///< whether any are
   bool compares = false;                    ///< there are environments
@@ -143,7 +143,7 @@ struct World {
   bool rotates_scattered = false;  ///< one of the laser's line also about its first vertex
   T connected{1};         ///< share of the telescope's walks that are connected with a laser's walk
   std::size_t walks = 0;  ///< of the laser in a set
-  std::int32_t most_vertices = 0;  ///< of a walk that is to be connected
+  std::int32_t max_vertices = 0;  ///< of a walk that is to be connected
   T weight_threshold{};
   std::int32_t scored_points = 1;  ///< of each flight; 1: where photons collide only
   Tools<T> tools;
@@ -191,11 +191,11 @@ bool compares(const World<T>& world) {
 
 /// A walk that is to be connected is cut after so many vertices; what it carries then is counted as
 /// lost.
-inline constexpr std::int32_t most_vertices = 128;
+inline constexpr std::int32_t max_vertices = 128;
 
 /// Such walks play Russian roulette below this weight: where light is converted, what a walk adds
 /// by its connections has little to do with its weight (docs/decisions/0027).
-inline constexpr double least_weight = 1e-8;
+inline constexpr double min_weight = 1e-8;
 
 /// The coordinates of a batch's points: four for each block of random numbers, of which an event of
 /// a photon has three, of the laser's walk one and of a telescope's two.
@@ -276,7 +276,7 @@ inline bool spreads_evenly(const scene::Scene& scene) {
 /// on the way between an instrument and the sea [m]: 0.5 mm from 3 km, 2 cm from space in float.
 /// Length, delay, and half the sum of both ways: each is rounded by half the last digit.
 template <class T, class Instrument>
-double most_rounded_off(const Instrument& instrument, const medium::Medium& air) {
+double max_rounded_off(const Instrument& instrument, const medium::Medium& air) {
   const double epsilon = std::numeric_limits<Element<T>>::epsilon();
   return 1.5 * epsilon * std::min(-instrument.position_m.z, air.air_m);
 }
@@ -312,7 +312,7 @@ World<T> make_world(const Model& model) {
     double left_out =
         path_to_origin(laser_ahead, from_origin(t, origin), world.telescopes.back().above_air);
     if (medium.upside_down)
-      left_out += most_rounded_off<T>(scene.source, medium) + most_rounded_off<T>(t, medium);
+      left_out += max_rounded_off<T>(scene.source, medium) + max_rounded_off<T>(t, medium);
     world.path_to_origin.push_back(left_out - too_long.both_paths(world.path_to_origin.size()));
     world.telescope_region.push_back(region(t, world.telescopes.size()));
   }
@@ -320,7 +320,7 @@ World<T> make_world(const Model& model) {
   const bool converts = medium.line.size() > 1;
   const scene::Tools& tools = scene.simulation.tools;
   const bool connects = world.estimator == scene::Estimator::bidirectional;
-  world.weight_threshold = T(connects ? least_weight : tools.weight_threshold);
+  world.weight_threshold = T(connects ? min_weight : tools.weight_threshold);
   world.tools = make_tools<T>(tools);
   world.compares = scene.compares();
   world.all_events = world.compares || tools.any();
@@ -341,8 +341,8 @@ World<T> make_world(const Model& model) {
     least = std::min(least, line.group_index);
     greatest = std::max(greatest, line.group_index);
   }
-  world.least_group_index = T(least);
-  const double last_path = gates.last_path() + too_long.most_of_both();
+  world.min_group_index = T(least);
+  const double last_path = gates.last_path() + too_long.max_of_both();
   const Reach reach = reach_of(scene, medium, last_path, least);
   world.deepest = T(reach.deepest);
   world.averaged = model.averaged.view();
@@ -352,8 +352,8 @@ World<T> make_world(const Model& model) {
   world.laser_cone = cone_cast<T>(cones.laser);
   for (const auto& cone : cones.telescope) world.telescope_cones.push_back(cone_cast<T>(cone));
   // What free walks may become shorter by counts as more time for those that are not free yet.
-  const auto most_shorter = [&](const EntryCone<double>& cone) {
-    return std::min(cone.spot.most_shorter, gates.last_path());
+  const auto max_shorter = [&](const EntryCone<double>& cone) {
+    return std::min(cone.spot.max_shorter, gates.last_path());
   };
   world.connected = T(scene.simulation.connected_fraction);
   world.meeting_grid = {T(scene.simulation.meetings / reach.range)};
@@ -374,19 +374,19 @@ World<T> make_world(const Model& model) {
   const bool one_way = world.groups.size() == 1 && world.telescope_region.front().in_air;
   world.makes_choices = (world.directs && !one_way) || medium.line.size() > 1;
   if (connects) world.walks = static_cast<std::size_t>(scene.simulation.walks);
-  world.most_vertices = most_vertices;
+  world.max_vertices = max_vertices;
   add_receivers(medium, world);
   for (Receiver<T>& receiver : world.receivers) {
     const auto& telescope = scene.telescope[receiver.telescope];
     const double both = gates.last_path() - world.path_to_origin[receiver.telescope];
     const double longest =
-        both + most_shorter(cones.telescope[receiver.telescope]) + most_shorter(cones.laser) +
-        instrument::most_longer(telescope) * (telescope.position_m.z < 0 ? greatest : 1.0);
+        both + max_shorter(cones.telescope[receiver.telescope]) + max_shorter(cones.laser) +
+        instrument::max_longer(telescope) * (telescope.position_m.z < 0 ? greatest : 1.0);
     receiver.last_path = T(both);
     receiver.longest = T(longest);
     receiver.deadline = deadline_at_laser<T>(scene, longest, laser_ahead);
   }
-  world.deadlines = deadlines_at_telescopes<T>(scene, last_path + most_shorter(cones.laser),
+  world.deadlines = deadlines_at_telescopes<T>(scene, last_path + max_shorter(cones.laser),
                                                laser_ahead, greatest);
   world.last_order =
       scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;

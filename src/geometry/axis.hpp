@@ -19,8 +19,8 @@ inline bool stands_in_water(const Vec3<double>& position) { return position.z < 
 /// the axis leads away from it: at the instrument.
 inline double way_ahead(const Vec3<double>& position, const Vec3<double>& axis) {
   if (position.z <= 0 || axis.z >= 0) return 0;
-  constexpr double most_heights = 10;
-  return position.z * std::min(most_heights, -1 / axis.z);
+  constexpr double max_heights = 10;
+  return position.z * std::min(max_heights, -1 / axis.z);
 }
 
 /// Where an instrument's light is told of: so far ahead of it on its axis, and from there so far to
@@ -71,7 +71,7 @@ struct TooLong {
   [[nodiscard]] double range(std::size_t telescope) const {
     return length.empty() ? 0 : length[telescope + 1];
   }
-  [[nodiscard]] double most_of_both() const {
+  [[nodiscard]] double max_of_both() const {
     double most = 0;
     for (std::size_t t = 0; t + 1 < group_path.size(); ++t) most = std::max(most, both_paths(t));
     return most;

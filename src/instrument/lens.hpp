@@ -125,7 +125,7 @@ T share_that_sees(const Telescope<T>& telescope, const Vec3<T>& direction) {
   using std::abs;
   using std::sqrt;
   const T defocus = abs(telescope.detector_distance * telescope.per_sharp_range);
-  if (!any(defocus > telescope.least_defocus)) return T(1);
+  if (!any(defocus > telescope.min_defocus)) return T(1);
   const auto aside = parts_in_plane(telescope, direction);
   const T tangent =
       sqrt(aside.x * aside.x + aside.y * aside.y) / abs(dot(direction, telescope.axis));
@@ -154,7 +154,7 @@ T longer_by_translation(const Telescope<T>& telescope, const Vec3<T>& outward,
   return T(0) - in_plane(telescope, aside).z / outward.z;
 }
 /// No translation makes a way longer or shorter by more than this [m].
-inline double most_longer(const scene::Telescope& telescope) {
+inline double max_longer(const scene::Telescope& telescope) {
   return 2 / flattest_translated * lens_rise(telescope);
 }
 

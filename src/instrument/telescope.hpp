@@ -40,7 +40,7 @@ struct Telescope {
   T per_sharp_range{};  ///< 1 over the range that is seen sharp: 1 / f - 1 / x_d [1/m]
   T detector_radius{};
   T detector_distance{};  ///< from the lens: focal length + shift
-  T least_defocus{};      ///< a sharp image counts as a disc of 1e-5 of the detector's radius
+  T min_defocus{};        ///< a sharp image counts as a disc of 1e-5 of the detector's radius
   ViewReach<T> reach;
   bool submerged = false;
   bool above_air = false;  ///< which is upside down: paths are told as those of one in clear air
@@ -78,7 +78,7 @@ struct Telescope {
   T overlap(const T& per_range, const T& tan_off_axis) const {
     using std::abs;
     const T defocus = abs(detector_distance * (per_range - per_sharp_range));
-    const T spread = select(defocus > least_defocus, defocus, least_defocus);
+    const T spread = select(defocus > min_defocus, defocus, min_defocus);
     const T blur = lens_radius * spread;
     const T q = detector_distance * tan_off_axis;
     if (all(q >= detector_radius + blur)) return T(0);
@@ -168,7 +168,7 @@ Telescope<T> make_telescope(const scene::Telescope& s, const geometry::Ahead& to
   t.per_sharp_range = T(per_sharp_range(s));
   t.detector_radius = T(s.effective_detector_diameter_m() / 2);
   t.detector_distance = T(s.detector_distance_m());
-  t.least_defocus = T(1e-5) * t.detector_radius / t.lens_radius;
+  t.min_defocus = T(1e-5) * t.detector_radius / t.lens_radius;
   t.submerged = geometry::stands_in_water(s.position_m);
   t.upright = std::abs(axis.z) == 1;
   const ViewReach<double> reach = reach_of_view(s);

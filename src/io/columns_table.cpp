@@ -89,7 +89,7 @@ std::string with_error(double value, double error) {
 std::string columns_table(const tally::Result& result, const Columns& columns, std::size_t step,
                           const TableLayout& layout) {
   if (columns.meanings.empty()) return "";
-  const std::size_t width = std::max(layout.width, least_width);
+  const std::size_t width = std::max(layout.width, min_width);
   const std::size_t abreast = (width - 1 - place_width) / (1 + ratio_width);
   const std::size_t all = columns.meanings.size();
   const Shown shown =

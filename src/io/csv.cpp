@@ -132,7 +132,7 @@ void write_csv(const tally::Result& result, const std::string& path, const std::
 }
 
 void write_table(const tally::Result& result, const std::string& path, const std::string& keep_as) {
-  const TableLayout full{.most_rows = result.gates(), .all_columns = true};
+  const TableLayout full{.max_rows = result.gates(), .all_columns = true};
   write_atomically(path, whose(result) + '\n' + echo_table(result, full), keep_as);
 }
 

@@ -10,15 +10,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json ledger(const tally::Ledger& shares) {
-  return {{"absorbed", shares.absorbed},
-          {"escaped", shares.escaped},
-          {"sea_bed", shares.sea_bed},
-          {"oil", shares.oil},
-          {"cut_by_time", shares.cut_by_time},
-          {"cut_by_order", shares.cut_by_order},
-          {"cut_by_weight", shares.cut_by_weight},
-          {"roulette", shares.roulette},
-          {"lost", shares.lost}};
+  Json out;
+  tally::Ledger::each([&](const char* name, double share) { out[name] = share; }, shares);
+  return out;
 }
 
 Json echo(const tally::Result& result, const EchoRow& row) {

@@ -54,22 +54,16 @@ const std::string of_tail_sums =
 /// All of a state under its names in the file: for the visitor that writes, and the one that reads.
 /// A state to be read into has the extents of what is read.
 template <class Visitor, class State>
-void describe(Visitor& v, State& s) {
+void describe(Visitor& v, State& s, const std::vector<tally::Grid>& grids) {
   v.count("photons", s.photons);
   v.count("batches", s.batches);
   v.count("collisions", s.collisions);
   v.count("scores", s.scores);
   v.count("photons_lost_too_many_events", s.too_many_events);
   v.count("photons_lost_not_finite", s.not_finite);
-  v.number("weight_absorbed", s.ledger.absorbed);
-  v.number("weight_escaped", s.ledger.escaped);
-  v.number("weight_sea_bed", s.ledger.sea_bed);
-  v.number("weight_oil", s.ledger.oil);
-  v.number("weight_cut_by_time", s.ledger.cut_by_time);
-  v.number("weight_cut_by_order", s.ledger.cut_by_order);
-  v.number("weight_cut_by_weight", s.ledger.cut_by_weight);
-  v.number("weight_roulette", s.ledger.roulette);
-  v.number("weight_lost", s.ledger.lost);
+  tally::Ledger::each(
+      [&](const char* name, auto& weight) { v.number(fmt::format("weight_{}", name), weight); },
+      s.ledger);
   v.number("weight_excess", s.ledger_excess.x);
   v.number("weight_excess_squares", s.ledger_excess.xx);
   v.number("resting_target", s.resting_target);
@@ -84,13 +78,13 @@ void describe(Visitor& v, State& s) {
           "photons and batches that a channel was scored in, and whether it rests up to the next "
           "look at the target, and after it");
   v.array("echo_sums", in_cell({"tail_sum"}), s.echo, tail_sums, "echo" + of_tail_sums);
-  v.array("echo_by_order_sums", in_cell({"order", "sum"}), s.by_order, sums,
-          "echo by order of scattering" + of_sums);
-  v.array("echo_by_process_sums", in_cell({"process", "sum"}), s.by_process, sums,
-          "echo by process" + of_sums);
-  if (!s.by_depth.empty())
-    v.array("echo_by_depth_sums", in_cell({"depth", "sum"}), s.by_depth, sums,
-            "echo by depth of the last scattering" + of_sums);
+  for (std::size_t g = 0; g < grids.size(); ++g) {
+    Names more;
+    for (const tally::Axis& axis : grids[g].axes) more.push_back(axis.name);
+    more.emplace_back("sum");
+    v.array(grids[g].name + "_sums", in_cell(more), s.grids[g], sums,
+            "echo " + grids[g].long_name + of_sums);
+  }
   v.array("order_cut_sum", cell, s.cut_order, itself, "first order cut off: sum of the scores");
   v.array("largest_score", cell, s.largest, itself, "largest single score");
   v.array("score_octaves", in_cell({"walked", "octave"}), s.octaves, octaves,
@@ -115,11 +109,11 @@ class StateWriter {
  public:
   explicit StateWriter(NetcdfImage& file) : file_(file) {}
 
-  void count(const char* name, std::uint64_t value) { file_.add_global(name, value); }
-  void number(const char* name, double value) { file_.add_global(name, value); }
+  void count(const std::string& name, std::uint64_t value) { file_.add_global(name, value); }
+  void number(const std::string& name, double value) { file_.add_global(name, value); }
 
   template <class Elements, class Fields>
-  void array(const char* name, const Names& dimensions, const Elements& elements,
+  void array(const std::string& name, const Names& dimensions, const Elements& elements,
              const Fields& fields, const std::string& long_name) {
     using Number = std::remove_cvref_t<decltype(*fields(elements[0])[0])>;
     ZeroedVector<Number> values;
@@ -139,12 +133,12 @@ class StateReader {
   StateReader(const NetcdfReader& file, std::map<std::string, std::size_t> lengths)
       : file_(file), lengths_(std::move(lengths)) {}
 
-  void count(const char* name, std::uint64_t& value) const { value = file_.count(name); }
-  void number(const char* name, double& value) const { value = file_.number(name); }
+  void count(const std::string& name, std::uint64_t& value) const { value = file_.count(name); }
+  void number(const std::string& name, double& value) const { value = file_.number(name); }
 
   template <class Elements, class Fields>
-  void array(const char* name, const Names& dimensions, Elements& elements, const Fields& fields,
-             const std::string& /*long_name*/) const {
+  void array(const std::string& name, const Names& dimensions, Elements& elements,
+             const Fields& fields, const std::string& /*long_name*/) const {
     std::vector<std::size_t> lengths;
     for (const std::string& dimension : dimensions) lengths.push_back(lengths_.at(dimension));
     typename Elements::value_type element{};
@@ -159,7 +153,7 @@ class StateReader {
 
  private:
   template <class Number>
-  [[nodiscard]] std::vector<Number> read(const char* name,
+  [[nodiscard]] std::vector<Number> read(const std::string& name,
                                          const std::vector<std::size_t>& lengths) const {
     if constexpr (std::is_same_v<Number, double>)
       return file_.numbers(name, lengths);
@@ -173,7 +167,8 @@ class StateReader {
 
 }  // namespace
 
-void add_state(NetcdfImage& file, const tally::TotalsState& state) {
+void add_state(NetcdfImage& file, const tally::TotalsState& state,
+               const std::vector<tally::Grid>& grids) {
   file.enter_group(group);
   file.add_global("comment",
                   "what `photic run --continue` starts from: the sums of all whole "
@@ -189,7 +184,7 @@ void add_state(NetcdfImage& file, const tally::TotalsState& state) {
   }
   if (state.batches > 0) file.add_dimension("snapshot", tally::snapshots_at(state.batches));
   StateWriter writer(file);
-  describe(writer, state);
+  describe(writer, state, grids);
 }
 
 tally::TotalsState read_state(const std::string& path, const tally::Shape& shape) {
@@ -203,22 +198,23 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
   if (!file.enter_group(group))
     file.refuse(std::string("a result that no run can continue: it has no group ") + group +
                 ", which is lost where another program writes a result again");
-  const StateReader reader(file, {{"telescope", shape.telescopes},
-                                  {"channel", shape.channels},
-                                  {"process", shape.processes},
-                                  {"order", shape.orders},
-                                  {"gate", shape.gates},
-                                  {"depth", shape.depths},
-                                  {"sum", 2},
-                                  {"row_count", 4},
-                                  {"tail_sum", 8},
-                                  {"walked", shape.walked},
-                                  {"octave", tally::score_octaves},
-                                  {"other_water", shape.environments},
-                                  {"environment_sum", environment_fields},
-                                  {"snapshot", tally::snapshots_at(file.count("batches"))}});
+  std::map<std::string, std::size_t> lengths{
+      {"telescope", shape.telescopes},
+      {"channel", shape.channels},
+      {"gate", shape.gates},
+      {"sum", 2},
+      {"row_count", 4},
+      {"tail_sum", 8},
+      {"walked", shape.walked},
+      {"octave", tally::score_octaves},
+      {"other_water", shape.environments},
+      {"environment_sum", environment_fields},
+      {"snapshot", tally::snapshots_at(file.count("batches"))}};
+  for (const tally::Grid& grid : shape.grids)
+    for (const tally::Axis& axis : grid.axes) lengths[axis.name] = axis.size();
+  const StateReader reader(file, std::move(lengths));
   tally::TotalsState state(shape);
-  describe(reader, state);
+  describe(reader, state, shape.grids);
   if (state.photons > photons)
     file.refuse("a damaged result: its state counts more photons than it does");
   return state;

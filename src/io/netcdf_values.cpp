@@ -9,7 +9,7 @@ namespace photic::io {
 namespace {
 
 /// 80 MB of doubles. A file of a few bytes may claim to hold any number of them.
-constexpr std::size_t most_values = 10'000'000;
+constexpr std::size_t max_values = 10'000'000;
 
 int variable_called(const NetcdfReader& file, const std::string& name) {
   int id = -1;
@@ -80,8 +80,8 @@ NetcdfValues::NetcdfValues(const NetcdfReader& file, const std::string& name,
 std::size_t NetcdfValues::count() const {
   std::size_t product = 1;
   for (const std::size_t length : length_) {
-    if (length > 0 && product > most_values / length)
-      attributes_.refuse(fmt::format("has more than {} values", most_values));
+    if (length > 0 && product > max_values / length)
+      attributes_.refuse(fmt::format("has more than {} values", max_values));
     product *= length;
   }
   return product;
@@ -102,8 +102,8 @@ std::vector<std::string> NetcdfValues::texts() const {
 
 std::vector<std::string> NetcdfValues::characters() const {
   const std::size_t size = count();
-  if (characters_ > 0 && size > most_values / characters_)
-    attributes_.refuse(fmt::format("has more than {} characters", most_values));
+  if (characters_ > 0 && size > max_values / characters_)
+    attributes_.refuse(fmt::format("has more than {} characters", max_values));
   std::string all(size * characters_, ' ');
   if (!all.empty()) check(nc_get_var_text(file_.id(), id_, all.data()));
   std::vector<std::string> out;

@@ -2,8 +2,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
 
 #include "io/atomic_file.hpp"
 #include "io/netcdf.hpp"
@@ -43,20 +47,12 @@ std::vector<double> centres(const std::vector<double>& pairs) {
 void add_axes(NetcdfImage& file, const tally::Result& result) {
   file.add_dimension("telescope", result.telescopes());
   file.add_dimension("channel", result.channels());
-  file.add_dimension("process", result.process_name.size());
-  file.add_dimension("order", static_cast<std::size_t>(result.orders));
   file.add_dimension("gate", result.gates());
   file.add_dimension("bnds", 2);
   file.add_variable("telescope_name", {"telescope"}, result.telescope_name,
                     {{"long_name", "name of the telescope"}});
   file.add_variable("channel_name", {"channel"}, result.channel_name,
                     {{"long_name", "name of the channel"}});
-  file.add_variable(
-      "process_name", {"process"}, result.process_name,
-      {{"long_name",
-        "process that changed the light's wavelength; of the laser's wavelength: "
-        "bottom, if it touched the sea bed, surface, if it touched nothing but waves, "
-        "air, if it was never in the water, else elastic"}});
   file.add_variable("channel_wavelength", {"channel"}, result.channel_wavelength_nm,
                     {{"standard_name", "radiation_wavelength"},
                      {"long_name", "mean wavelength of the light that the channel counts"},
@@ -81,15 +77,6 @@ void add_axes(NetcdfImage& file, const tally::Result& result) {
          {"_FillValue", nan},
          {"coordinates", "telescope_name channel_name channel_wavelength"}});
   }
-  std::vector<std::int32_t> order;
-  for (std::int32_t k = 0; k < result.orders; ++k) order.push_back(k);
-  file.add_variable(
-      "order", {"order"}, order,
-      {{"long_name", fmt::format("scatterings, conversions and bottom reflections of the light, 0: "
-                                 "of the surface's own echo; "
-                                 "the last, {0}, includes all higher ones",
-                                 result.orders - 1)},
-       {"units", "1"}});
 }
 
 void add_gates(NetcdfImage& file, const tally::Result& result) {
@@ -120,20 +107,37 @@ void add_gates(NetcdfImage& file, const tally::Result& result) {
                     {{"long_name", quantity + " at start and end of the gate"}});
 }
 
-/// The depths of the last scattering, if they are tallied.
-void add_depths(NetcdfImage& file, const tally::Result& result) {
-  if (result.depths() == 0) return;
-  file.add_dimension("depth", result.depths());
-  const auto depth = bounds(result.depth_edge_m);
-  file.add_variable("depth", {"depth"}, centres(depth),
-                    {{"standard_name", "depth"},
-                     {"long_name", "depth of the last scattering, centre of the interval"},
-                     {"units", "m"},
-                     {"positive", "down"},
-                     {"axis", "Z"},
-                     {"bounds", "depth_bounds"}});
-  file.add_variable("depth_bounds", {"depth", "bnds"}, depth,
-                    {{"long_name", "top and bottom of the interval"}});
+void add_axis(NetcdfImage& file, const tally::Axis& axis) {
+  file.add_dimension(axis.name, axis.size());
+  if (!axis.labels.empty())
+    return file.add_variable(axis.name + "_name", {axis.name}, axis.labels,
+                             {{"long_name", axis.long_name}});
+  if (axis.edges.empty()) {
+    std::vector<std::int32_t> numbers(axis.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return file.add_variable(axis.name, {axis.name}, numbers,
+                             {{"long_name", axis.long_name}, {"units", axis.units}});
+  }
+  const auto pairs = bounds(axis.edges);
+  Attributes attributes{{"long_name", axis.long_name + ", centre of the interval"},
+                        {"units", axis.units},
+                        {"bounds", axis.name + "_bounds"}};
+  for (const auto& [key, value] : axis.attributes) attributes.emplace_back(key, value);
+  file.add_variable(axis.name, {axis.name}, centres(pairs), attributes);
+  const bool down =
+      std::ranges::find(axis.attributes, std::pair<std::string, std::string>("positive", "down")) !=
+      axis.attributes.end();
+  file.add_variable(
+      axis.name + "_bounds", {axis.name, "bnds"}, pairs,
+      {{"long_name", down ? "top and bottom of the interval" : "ends of the interval"}});
+}
+
+/// Of all grids, each once.
+void add_axes_of_grids(NetcdfImage& file, const tally::Result& result) {
+  std::set<std::string> known;
+  for (const tally::GridEstimates& grid : result.grids)
+    for (const tally::Axis& axis : grid.grid.axes)
+      if (known.insert(axis.name).second) add_axis(file, axis);
 }
 
 /// What an estimate, its error and its diagnostics share.
@@ -174,6 +178,21 @@ void add_estimates(NetcdfImage& file, const std::string& name,
               dimensionless("standard error of " + name, more_coordinates), precision);
 }
 
+/// The names of a grid's cells, where its axes have names.
+std::string coordinates_of(const tally::Grid& grid) {
+  std::string out;
+  for (const tally::Axis& axis : grid.axes)
+    if (!axis.labels.empty()) out += fmt::format(" {}_name", axis.name);
+  return out;
+}
+std::vector<std::string> dimensions_of(const tally::Grid& grid) {
+  std::vector<std::string> out{"telescope", "channel"};
+  if (grid.profile) out.emplace_back("gate");
+  for (const tally::Axis& axis : grid.axes) out.push_back(axis.name);
+  if (!grid.profile) out.emplace_back("gate");
+  return out;
+}
+
 void add_echoes(NetcdfImage& file, const tally::Result& result) {
   const std::vector<double> photons(result.channel_photons.begin(), result.channel_photons.end());
   file.add_variable("channel_photons", {"telescope", "channel"}, photons,
@@ -186,16 +205,17 @@ void add_echoes(NetcdfImage& file, const tally::Result& result) {
       file, "echo", {"telescope", "channel", "gate"}, result.echo, echo_meaning, "gate: sum",
       " converged convergence_flags largest_score_share variance_of_variance error_growth "
       "order_cut_share");
-  add_estimates(file, "echo_by_process", {"telescope", "channel", "process", "gate"},
-                result.echo_by_process, echo_meaning + ", by process", "gate: sum",
-                " echo_by_process_converged echo_by_process_convergence_flags", " process_name");
-  add_estimates(file, "echo_by_order", {"telescope", "channel", "order", "gate"},
-                result.echo_by_order, echo_meaning + ", by order of scattering", "gate: sum",
-                " echo_by_order_converged echo_by_order_convergence_flags");
-  if (result.depths() == 0) return;
-  add_estimates(file, "echo_by_depth", {"telescope", "channel", "gate", "depth"},
-                result.echo_by_depth, echo_meaning + ", by depth of the last scattering",
-                "gate: sum depth: sum", "", "", Precision::single);
+  for (const tally::GridEstimates& grid : result.grids) {
+    const auto& [name, long_name, part, axes, profile, beside_walks] = grid.grid;
+    std::string methods = "gate: sum", flags;
+    if (profile)
+      for (const tally::Axis& axis : axes) methods += fmt::format(" {}: sum", axis.name);
+    else
+      flags = fmt::format(" {0}_converged {0}_convergence_flags", name);
+    add_estimates(file, name, dimensions_of(grid.grid), grid, echo_meaning + ", " + long_name,
+                  methods, flags, coordinates_of(grid.grid),
+                  profile ? Precision::single : Precision::full);
+  }
 }
 
 /// `prefix`: before the names of the variables; `what`: the flags are of.
@@ -230,11 +250,10 @@ void add_flags(NetcdfImage& file, const std::string& prefix, const std::string& 
 void add_convergence(NetcdfImage& file, const tally::Result& result) {
   const std::vector<std::string> dimensions = {"telescope", "channel", "gate"};
   add_flags(file, "", "echo", dimensions, result.convergence_flags);
-  add_flags(file, "echo_by_process_", "echo of a process",
-            {"telescope", "channel", "process", "gate"}, result.process_convergence_flags,
-            " process_name");
-  add_flags(file, "echo_by_order_", "echo of an order", {"telescope", "channel", "order", "gate"},
-            result.order_convergence_flags);
+  for (const tally::GridEstimates& grid : result.grids)
+    if (!grid.grid.profile)
+      add_flags(file, grid.grid.name + "_", grid.grid.part, dimensions_of(grid.grid), grid.flags,
+                coordinates_of(grid.grid));
   file.add_variable("largest_score_share", dimensions, result.largest_score_share,
                     dimensionless("share of the largest single score in the echo"));
   file.add_variable("variance_of_variance", dimensions, result.variance_of_variance,
@@ -345,15 +364,9 @@ void add_run(NetcdfImage& file, const tally::Result& result) {
   const tally::Ledger& ledger = result.ledger;
   file.add_global("ledger_comment",
                   "shares of the weight of the photons emitted, by where it ended");
-  file.add_global("ledger_absorbed", ledger.absorbed);
-  file.add_global("ledger_escaped", ledger.escaped);
-  file.add_global("ledger_sea_bed", ledger.sea_bed);
-  file.add_global("ledger_oil", ledger.oil);
-  file.add_global("ledger_cut_by_time", ledger.cut_by_time);
-  file.add_global("ledger_cut_by_order", ledger.cut_by_order);
-  file.add_global("ledger_cut_by_weight", ledger.cut_by_weight);
-  file.add_global("ledger_roulette", ledger.roulette);
-  file.add_global("ledger_lost", ledger.lost);
+  tally::Ledger::each([&](const char* name,
+                          double share) { file.add_global(fmt::format("ledger_{}", name), share); },
+                      ledger);
   file.add_global("warnings", LongText{fmt::format("{}", fmt::join(result.warnings, "\n"))});
 }
 
@@ -365,18 +378,28 @@ std::string history_line(const std::string& command_line) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}: {}", fmt::gmtime(now), command_line);
 }
 
+namespace {
+
+std::vector<tally::Grid> grids_of(const tally::Result& result) {
+  std::vector<tally::Grid> out;
+  for (const auto& grid : result.grids) out.push_back(grid.grid);
+  return out;
+}
+
+}  // namespace
+
 void write_netcdf(const tally::Result& result, const std::string& path, const WriteInfo& info) {
   NetcdfImage file;
   add_description(file, result, info);
   add_run(file, result);
   add_axes(file, result);
   add_gates(file, result);
-  add_depths(file, result);
+  add_axes_of_grids(file, result);
   add_echoes(file, result);
   add_convergence(file, result);
   add_environments(file, result);
   add_sensitivities(file, result);
-  if (result.state) add_state(file, *result.state);
+  if (result.state) add_state(file, *result.state, grids_of(result));
   write_atomically(path, file.finish(), info.keep_as);
 }
 

@@ -141,10 +141,10 @@ std::string run_summary(const tally::Result& result, std::size_t width) {
 }
 
 std::string echo_table(const tally::Result& result, const TableLayout& layout) {
-  expect(layout.most_rows > 0, "a table has at least one row");
+  expect(layout.max_rows > 0, "a table has at least one row");
   const std::vector<EchoRow> rows = echo_rows(result);
-  const std::size_t step = (result.gates() + layout.most_rows - 1) / layout.most_rows;
-  const std::size_t width = std::max(layout.width, least_width);
+  const std::size_t step = (result.gates() + layout.max_rows - 1) / layout.max_rows;
+  const std::size_t width = std::max(layout.width, min_width);
   return tables(result, rows, step, width) + legend(rows, width) +
          environment_table(result, step, layout) + sensitivity_table(result, step, layout) + '\n' +
          run_summary(result, width);

@@ -10,9 +10,9 @@ namespace photic::io {
 
 /// How much of a result a table shows.
 struct TableLayout {
-  std::size_t most_rows = 26;  ///< above 0; of more gates every second, third … is shown
-  std::size_t width = 100;     ///< of lines, in columns; at least 40 are used
-  bool all_columns = false;    ///< environments and parameters that do not fit stand below
+  std::size_t max_rows = 26;  ///< above 0; of more gates every second, third … is shown
+  std::size_t width = 100;    ///< of lines, in columns; at least 40 are used
+  bool all_columns = false;   ///< environments and parameters that do not fit stand below
 };
 
 /// For each telescope a table: gates down, channels across, each with its echo and relative error,

@@ -73,7 +73,7 @@ std::string paragraph(const std::string& text, std::size_t width, std::size_t in
   if (letters(text) <= width) return text + '\n';
   std::string out;
   for (const std::string& line :
-       wrapped(text, std::max(width, least_width) - std::max(first, indent)))
+       wrapped(text, std::max(width, min_width) - std::max(first, indent)))
     out += std::string(out.empty() ? first : indent, ' ') + line + '\n';
   return out;
 }

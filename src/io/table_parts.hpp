@@ -27,7 +27,7 @@ TextColumn place_column(const tally::Result& result, const EchoRow& first, std::
                         std::size_t step);
 
 /// Narrower lines than this are not made.
-inline constexpr std::size_t least_width = 40;
+inline constexpr std::size_t min_width = 40;
 
 /// Each reason why gates have not converged, with the number of gates it concerns.
 std::string legend(const std::vector<EchoRow>& rows, std::size_t width);

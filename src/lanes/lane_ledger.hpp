@@ -19,13 +19,12 @@ struct LaneSum {
 
 /// The ledger of a pool.
 template <class T>
-struct LaneLedger {
-  LaneSum<T> absorbed, escaped, sea_bed, oil, cut_by_time, cut_by_order, cut_by_weight, roulette,
-      lost;
+struct LaneLedger : tally::Accounts<LaneSum<T>> {
   friend tally::Ledger total(const LaneLedger& sums) {
-    return {sums.absorbed.total(),      sums.escaped.total(),     sums.sea_bed.total(),
-            sums.oil.total(),           sums.cut_by_time.total(), sums.cut_by_order.total(),
-            sums.cut_by_weight.total(), sums.roulette.total(),    sums.lost.total()};
+    tally::Ledger out;
+    tally::Ledger::each(
+        [](const char*, double& all, const LaneSum<T>& lanes) { all = lanes.total(); }, out, sums);
+    return out;
   }
 };
 

@@ -21,7 +21,7 @@ namespace photic::medium {
 namespace {
 
 constexpr double metre_per_km = 1e3;
-constexpr std::size_t most_levels = 1000;
+constexpr std::size_t max_levels = 1000;
 /// Where LOWTRAN 7's boundary layer ends.
 constexpr double boundary_layer_km = 2;
 
@@ -246,9 +246,9 @@ optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::Air
   optics::AirProfile profile =
       name ? library.atmosphere(*name)
            : optics::air_profile(std::get<scene::UserTable>(air.profile).data());
-  if (profile.z_km.size() > most_levels)
+  if (profile.z_km.size() > max_levels)
     throw InputError({{"", 0, 0, fmt::format("the profile has {} levels", profile.z_km.size()),
-                       fmt::format("at most {} are possible: leave some out", most_levels)}});
+                       fmt::format("at most {} are possible: leave some out", max_levels)}});
   if (profile.z_km.front() != 0)
     throw InputError(
         {{"", 0, 0,

@@ -6,7 +6,7 @@
 namespace photic::medium {
 namespace {
 
-constexpr double most_apart_nm = 5;
+constexpr double max_apart_nm = 5;
 
 /// Where the spectrum is cut: at the ends, at filters, and between so that no piece is too long.
 std::vector<double> cuts_of(const optics::EmissionSpectrum& spectrum,
@@ -22,7 +22,7 @@ std::vector<double> cuts_of(const optics::EmissionSpectrum& spectrum,
   for (std::size_t i = 1; i < given.size(); ++i) {
     const double from = given[i - 1];
     const double way = given[i] - from;
-    const auto pieces = static_cast<int>(std::ceil(way / most_apart_nm));
+    const auto pieces = static_cast<int>(std::ceil(way / max_apart_nm));
     for (int k = 1; k <= pieces; ++k) cuts.push_back(from + way * k / pieces);
   }
   return cuts;

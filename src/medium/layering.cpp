@@ -27,7 +27,7 @@ Layering::Layering(std::span<const double> edges, std::int32_t layers)
       const auto above = std::ranges::lower_bound(inner, i * width * (1 - rounding));
       const auto below = std::ranges::upper_bound(inner, (i + 1) * width * (1 + rounding));
       first_layer.push_back(static_cast<std::int32_t>(above - inner.begin()));
-      most_edges_ = std::max(most_edges_, static_cast<std::int32_t>(below - above));
+      max_edges_ = std::max(max_edges_, static_cast<std::int32_t>(below - above));
     }
   }
   end_ = TwinTable(ends);
@@ -36,8 +36,8 @@ Layering::Layering(std::span<const double> edges, std::int32_t layers)
 }
 
 LayeringView Layering::view(const ShortTable& edge) const {
-  return {layers_, edge,       end_.view(), cells_per_unit_.view(), first_layer_.view(),
-          cells_,  most_edges_};
+  return {layers_, edge,      end_.view(), cells_per_unit_.view(), first_layer_.view(),
+          cells_,  max_edges_};
 }
 
 }  // namespace photic::medium

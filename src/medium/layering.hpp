@@ -20,7 +20,7 @@ struct LayeringView {
   ShortTable cells_per_unit;  ///< of the coordinate, [row]
   IndexTable first_layer;     ///< [row][cells]
   std::int32_t cells = 0;
-  std::int32_t most_edges = 0;  ///< inner ones, in any cell
+  std::int32_t max_edges = 0;  ///< inner ones, in any cell
 
   /// The layer in which a coordinate lies (the first or the last if in none); on an edge it is
   /// `from`, if that is one of the two, else the upper one. Of the edges in its cell quarters are
@@ -34,10 +34,10 @@ struct LayeringView {
     const Index<T> first_edge = row * Index<T>(layers + 1);
     const Index<T> last(layers - 1);
     std::int32_t step = 1;
-    while (4 * step <= most_edges) step *= 4;
+    while (4 * step <= max_edges) step *= 4;
     for (; step > 0; step /= 4) {
       const Index<T> first = layer;
-      for (std::int32_t k = 1; k < 4 && k * step <= most_edges; ++k) {
+      for (std::int32_t k = 1; k < 4 && k * step <= max_edges; ++k) {
         const Index<T> next = first + Index<T>(k * step);
         const Mask<T> exists = next <= last;
         const T upper_edge = gather<T>(edge, first_edge + select(exists, next, last));
@@ -69,7 +69,7 @@ class Layering {
   [[nodiscard]] LayeringView view(const ShortTable& edge) const;
 
  private:
-  std::int32_t layers_ = 0, cells_ = 0, most_edges_ = 0;
+  std::int32_t layers_ = 0, cells_ = 0, max_edges_ = 0;
   TwinTable end_, cells_per_unit_;
   IndexTableOwner first_layer_;
 };

@@ -49,7 +49,7 @@ Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Me
   for (std::size_t k = 0; k < layers; ++k) phase.push_back(medium.add_phase(air.phase(k)));
   if (vacuum) phase.push_back(phase.back());
   const auto add = [&](double a, double b, double delay) {
-    const double c = std::max(a + b, least_attenuation);
+    const double c = std::max(a + b, min_attenuation);
     medium.c.push_back(c);
     medium.albedo.push_back(b / c);
     medium.absorption.push_back(1 - b / c);

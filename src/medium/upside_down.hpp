@@ -10,7 +10,7 @@
 namespace photic::medium {
 
 /// What scatters and absorbs least [1/m]: a vacuum counts as this, which nobody can tell from it.
-inline constexpr double least_attenuation = 1e-20;
+inline constexpr double min_attenuation = 1e-20;
 
 /// Light of the sea's lines is scattered there and absorbed, but not converted. Above the air there
 /// is nothing up to a height [m], where light ends. `lowest`: height of the lowest instrument;

@@ -49,7 +49,7 @@ inline constexpr double clear_visibility_km = 23;
 AirProfile with_aerosols(const AirLibrary& library, AirProfile profile, double visibility_km,
                          const std::string& season);
 
-inline constexpr double most_aerosol_depth = 5;
+inline constexpr double max_aerosol_depth = 5;
 
 /// Vertical, at 550 nm, of all regions from the lowest level to the highest.
 double aerosol_depth(const AirProfile& profile);

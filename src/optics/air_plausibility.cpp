@@ -21,7 +21,7 @@ constexpr double standard_hpa = 1013.25;
 /// The factor left open by mean temperatures of wide steps, humidity, gravity aloft and rounding.
 constexpr double tolerance = 1.5;
 /// Above some 95 km air is no longer mixed, and its molecules are lighter.
-constexpr double least_mixed_hpa = 1e-3;
+constexpr double min_mixed_hpa = 1e-3;
 /// Nearer levels are compared with others: differences of soundings' neighbours are noise.
 constexpr double near_km = 0.5;
 
@@ -62,7 +62,7 @@ struct Logarithm {
 };
 
 /// Pressures that are printed as 0 are 0.
-double known_hpa(double hpa) { return hpa > least_hpa ? hpa : 0; }
+double known_hpa(double hpa) { return hpa > min_hpa ? hpa : 0; }
 
 Logarithm logarithm(double below_hpa, double above_hpa, double rounding_hpa) {
   const auto of = [](double below, double above) {
@@ -114,7 +114,7 @@ std::optional<AirFault> hydrostatic_fault(const AirProfile& air, double rounding
   for (std::size_t i = 0; i < air.z_km.size(); ++i) {
     const Pair pair = compared(air.z_km, i);
     const double below = air.pressure_hpa[pair.below], above = air.pressure_hpa[pair.above];
-    if (pair.below == pair.above || std::max(below, above) < least_mixed_hpa) continue;
+    if (pair.below == pair.above || std::max(below, above) < min_mixed_hpa) continue;
     const double scale_km =
         km_per_k * (air.temperature_k[pair.below] + air.temperature_k[pair.above]) / 2;
     const double way = (air.z_km[pair.above] - air.z_km[pair.below]) / scale_km;
@@ -127,12 +127,12 @@ std::optional<AirFault> hydrostatic_fault(const AirProfile& air, double rounding
 
 /// The sea may be a lake in the mountains: a third of the standard pressure is that of the highest.
 std::optional<AirFault> fault_at_the_sea(const AirProfile& air) {
-  constexpr double least_share = 0.3, high_km = 5;  // above it the way down is too far to guess
+  constexpr double min_share = 0.3, high_km = 5;  // above it the way down is too far to guess
   const double z_km = air.z_km.front(), hpa = air.pressure_hpa.front();
   if (z_km > high_km) return std::nullopt;
   const double at_sea = hpa * std::exp(z_km / (km_per_k * air.temperature_k.front()));
   const double share = at_sea / standard_hpa;
-  if (share > least_share && share < tolerance) return std::nullopt;
+  if (share > min_share && share < tolerance) return std::nullopt;
   return AirFault{0, AirFault::Of::pressure,
                   fmt::format("air at {:g} km has no pressure of {:g} hPa: at the sea it is some "
                               "{:g}",
@@ -144,7 +144,7 @@ std::optional<AirFault> fault_of_density(const AirProfile& air, double rounding_
   constexpr double pa_per_hpa = 100, cm3_per_m3 = 1e6;
   for (std::size_t i = 0; i < air.z_km.size(); ++i) {
     const double hpa = known_hpa(air.pressure_hpa[i]), k = air.temperature_k[i];
-    if (hpa < least_mixed_hpa) continue;
+    if (hpa < min_mixed_hpa) continue;
     const auto ideal = [&](double of_hpa) { return pa_per_hpa * of_hpa / (boltzmann_j_k * k); };
     const double n = air.air_per_m3[i];
     if (n > ideal(hpa - rounding_hpa) / tolerance && n < ideal(hpa + rounding_hpa) * tolerance)
@@ -182,9 +182,9 @@ std::vector<std::string> doubts_about(const AirProfile& profile) {
   if (humidity > 0 && humidity <= 1)
     out.push_back(
         fmt::format("the relative humidity is {:g} % at most: is it a fraction?", humidity));
-  constexpr double least_per_m3 = 1e15, most_per_m3 = 1e20, per_cm3 = 1e-6;
+  constexpr double min_per_m3 = 1e15, max_per_m3 = 1e20, per_cm3 = 1e-6;
   const double ozone = std::ranges::max(profile.ozone_per_m3);
-  if (ozone > 0 && (ozone < least_per_m3 || ozone > most_per_m3))
+  if (ozone > 0 && (ozone < min_per_m3 || ozone > max_per_m3))
     out.push_back(
         fmt::format("there are {:.3g} molecules of ozone per cm3 at most, where air has "
                     "some 5e+12",

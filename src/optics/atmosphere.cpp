@@ -60,7 +60,7 @@ void check_columns(const DataTable& table) {
   }
 }
 
-constexpr double most_per_cm3 = 1e20;
+constexpr double max_per_cm3 = 1e20;
 
 /// A column of numbers from min to max; what may have been meant by others is asked.
 std::vector<double> numbers(const DataTable& table, const char* column, double min, double max,
@@ -100,7 +100,7 @@ void scale(std::vector<double>& values, double factor) {
 std::vector<double> air_per_m3(const DataTable& table, const AirProfile& profile) {
   if (has(table, air_column)) {
     std::vector<double> out =
-        numbers(table, air_column, 1, most_per_cm3, "", "is it in 1/m3, and not in 1/cm3?");
+        numbers(table, air_column, 1, max_per_cm3, "", "is it in 1/m3, and not in 1/cm3?");
     scale(out, per_m3_of_cm3);
     return out;
   }
@@ -113,10 +113,10 @@ std::vector<double> air_per_m3(const DataTable& table, const AirProfile& profile
 
 /// The uncertainty of pressures by the digits that they are written with.
 double rounding_hpa(const DataTable& table, const std::vector<double>& pressure_hpa) {
-  double out = most_hpa;
+  double out = max_hpa;
   const std::vector<std::string> texts = table.texts(pressure_column);
   for (std::size_t i = 0; i < texts.size(); ++i)
-    if (pressure_hpa[i] > least_hpa) out = std::min(out, half_last_digit(texts[i]));
+    if (pressure_hpa[i] > min_hpa) out = std::min(out, half_last_digit(texts[i]));
   return out;
 }
 
@@ -128,7 +128,7 @@ const char* column_of(AirFault::Of of) {
 
 std::vector<double> humidity(const DataTable& table, const AirProfile& profile) {
   if (!has(table, vapour_column)) return numbers_or_0(table, humidity_column, 100);
-  std::vector<double> out = numbers(table, vapour_column, 0, most_per_cm3);
+  std::vector<double> out = numbers(table, vapour_column, 0, max_per_cm3);
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i] = relative_humidity_percent(per_m3_of_cm3 * out[i], profile.temperature_k[i]);
   return out;
@@ -155,14 +155,14 @@ AirProfile air_profile(const DataTable& table) {
   if (out.z_km.front() < 0) table.fail(0, altitude_column, "altitudes begin at the sea level, 0");
   out.edges_km = out.aerosol_z_km = out.z_km;
   out.pressure_hpa =
-      numbers(table, pressure_column, least_hpa, most_hpa, "", "is it in Pa, and not in hPa?");
+      numbers(table, pressure_column, min_hpa, max_hpa, "", "is it in Pa, and not in hPa?");
   out.temperature_k = temperatures(table);
   out.air_per_m3 = air_per_m3(table, out);
-  out.ozone_per_m3 = numbers_or_0(table, ozone_column, most_per_cm3);
+  out.ozone_per_m3 = numbers_or_0(table, ozone_column, max_per_cm3);
   scale(out.ozone_per_m3, per_m3_of_cm3);
   out.relative_humidity_percent = humidity(table, out);
   for (std::size_t k = 0; k < aerosol_regions; ++k)
-    out.aerosols_per_km[k] = numbers_or_0(table, aerosol_column[k], most_aerosols_per_km);
+    out.aerosols_per_km[k] = numbers_or_0(table, aerosol_column[k], max_aerosols_per_km);
   if (const auto fault = fault_of(out, rounding_hpa(table, out.pressure_hpa)))
     table.fail(fault->level, column_of(fault->of), fault->reason, fault->suggestion);
   return out;

@@ -37,9 +37,9 @@ struct AirProfile {
 
 // What air can be: other numbers are in another unit.
 /// The lowest pressure stands for what a file prints as 0.
-inline constexpr double least_hpa = 1e-12;
-inline constexpr double most_hpa = 2000, lowest_k = 50, highest_k = 5000;
-inline constexpr double most_aerosols_per_km = 1e6;
+inline constexpr double min_hpa = 1e-12;
+inline constexpr double max_hpa = 2000, lowest_k = 50, highest_k = 5000;
+inline constexpr double max_aerosols_per_km = 1e6;
 
 /// Columns z_km, p_hpa, t_k; and as they are known air_per_cm3 (else p / kT), ozone_per_cm3,
 /// relative_humidity_percent or water_vapour_per_cm3, aerosol extinction at 550 nm by region as

@@ -139,7 +139,7 @@ class Tape6 {
     out.z_km = heights(*molecules_);
     check_same(out.z_km);
     out.edges_km = out.aerosol_z_km = out.z_km;
-    out.pressure_hpa = column(*molecules_, pressure, 0, most_hpa);
+    out.pressure_hpa = column(*molecules_, pressure, 0, max_hpa);
     out.temperature_k = column(*molecules_, "T", lowest_k, highest_k);
     out.air_per_m3 = scaled(column(*molecules_, molecules, 1e-20, 10), loschmidt_per_m3);
     out.ozone_per_m3 =
@@ -152,7 +152,7 @@ class Tape6 {
       out.remarks.push_back(fmt::format("{} {}", humidity, *remark));
     for (std::size_t k = 0; k < aerosol_regions; ++k)
       out.aerosols_per_km[k] =
-          column(*aerosols_, fmt::format("AEROSOL {}", k + 1), 0, most_aerosols_per_km);
+          column(*aerosols_, fmt::format("AEROSOL {}", k + 1), 0, max_aerosols_per_km);
     if (const auto fault = fault_of(out, rounding_hpa())) fail(*fault);
     return out;
   }
@@ -223,7 +223,7 @@ class Tape6 {
   /// How far off pressures may be by the digits that are printed.
   [[nodiscard]] double rounding_hpa() const {
     const std::size_t at = index_of(*molecules_, pressure);
-    double out = most_hpa;
+    double out = max_hpa;
     for (const int line : molecules_->lines)
       out = std::min(out, half_last_digit(row(*molecules_, line)[at].text));
     return out;

@@ -22,7 +22,7 @@ double mass(const std::vector<double>& node, int i) {
 }
 
 /// Far below any real value, but not 0: the inverse divides by the sum of the nodes of a cell.
-constexpr double least_node = 1e-30;
+constexpr double min_node = 1e-30;
 
 /// A function of x at all edges of cells but the core's lower one. Towards 180 degrees most phase
 /// functions are nearly straight: an octave of 2 - x whose line lies within 1e-7 of the function at
@@ -53,7 +53,7 @@ std::vector<double> nodes_of(const PhaseShape& shape) {
   for (double& p : node) {
     expect(std::isfinite(p) && p >= 0,
            "a phase function is finite and not negative outside its core");
-    p = std::max(p, least_node);
+    p = std::max(p, min_node);
   }
   return node;
 }
@@ -76,7 +76,7 @@ class Inverse {
     const double p0 = line_[2 * i_], slope = line_[2 * i_ + 1];
     const double p = std::sqrt(std::max(p0 * p0 + rest * slope, 0.0));  // 0 by rounding
     const double from = i_ == 0 ? 0 : edge(static_cast<int>(i_) - 1);
-    return {std::min(from + rest / (p0 + p), 2.0), 1 / (2 * pi * std::max(p, least_node))};
+    return {std::min(from + rest / (p0 + p), 2.0), 1 / (2 * pi * std::max(p, min_node))};
   }
   [[nodiscard]] double core() const { return cdf_[1]; }
   [[nodiscard]] double whole() const { return whole_; }

@@ -45,7 +45,7 @@ struct PhaseView {
   enum Quantile : std::int32_t { at, linear, square, cube, quantile_fields };
   static constexpr int quantile_bits = 6;      ///< 64 cells in an octave
   static constexpr int quantile_octaves = 24;  ///< below the last one cell 0 leads to u = 0
-  static constexpr double least_octave = 1.0 / (1 << quantile_octaves);
+  static constexpr double min_octave = 1.0 / (1 << quantile_octaves);
   /// Of a half: cell 0, the octaves to one half, and a cell that begins there.
   static constexpr int half_quantiles = 2 + ((quantile_octaves - 1) << quantile_bits);
   static constexpr int quantiles = 2 * half_quantiles;
@@ -132,7 +132,7 @@ T PhaseView::sample(const T& u, const Index<T>& table) const {
   const auto [cell, fraction] = octave_cell(rest, quantile_bits);
   const Index<T> i = cell + Index<T>((quantile_octaves << quantile_bits) + 1);
   const Mask<T> in_octave = i > Index<T>(0);
-  const T t = select(in_octave, fraction, rest * T(1 / least_octave));
+  const T t = select(in_octave, fraction, rest * T(1 / min_octave));
   const Index<T> row = select(in_octave, i, Index<T>(0)) +
                        select(lower, Index<T>(0), Index<T>(half_quantiles)) +
                        table * Index<T>(quantiles);

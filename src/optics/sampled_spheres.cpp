@@ -16,7 +16,7 @@ namespace photic::optics {
 namespace {
 
 constexpr double finest_size_step = 0.25;  ///< of size parameters, between large spheres
-constexpr double most_size_steps = 4000;   ///< of that kind
+constexpr double max_size_steps = 4000;    ///< of that kind
 constexpr double ratio_step = 0.02;      ///< of the logarithm of the radius, between small spheres
 constexpr std::size_t size_blocks = 16;  ///< of sizes, summed side by side
 
@@ -26,7 +26,7 @@ struct SampledSizes {
   std::vector<double> x, width;
 
   SampledSizes(double smallest, double largest) {
-    const double step = std::max(finest_size_step, (largest - smallest) / most_size_steps);
+    const double step = std::max(finest_size_step, (largest - smallest) / max_size_steps);
     const auto t = [step](double at) { return at / step + std::log(at) / ratio_step; };
     const double first = t(smallest), all = t(largest) - first;
     const int count = std::max(2, static_cast<int>(std::ceil(all)));

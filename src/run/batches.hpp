@@ -124,7 +124,7 @@ class BatchRunner {
   /// memory for more, threads wait for each other.
   static int tallies(const scene::Scene& scene, int threads) {
     const scene::TallyMemory memory = scene::tally_memory(scene);
-    const double room = (scene::most_tally_memory - memory.bytes()) / memory.batch;
+    const double room = (scene::max_tally_memory - memory.bytes()) / memory.batch;
     return static_cast<int>(std::clamp(2 + room, 2.0, 2.0 * threads));
   }
 

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "estimator/model.hpp"
+#include "estimator/random_blocks.hpp"
 #include "estimator/walk_attenuation.hpp"
 #include "run/batches.hpp"
 #include "run/choose.hpp"
@@ -27,9 +28,6 @@ constexpr double largest_own_share = 0.25;
 
 constexpr std::uint64_t first_trial_photons = 100;
 constexpr double trial_share = 0.02;  // of a candidate's time: long enough to measure its speed
-
-/// Folded into the seed: no repeat shares a random number with a run of the scene, or with pilots.
-constexpr std::uint64_t bench_stream = 0x3c6ef372fe94f82a;
 
 Candidate candidate(const scene::Scene& scene, scene::Estimator estimator,
                     const std::string& name) {
@@ -131,7 +129,7 @@ class Bench {
             std::optional<double> max_time_s = {}) {
     scene::Simulation& s = model_->scene.simulation;
     const std::uint64_t seed = s.seed;
-    s.seed = (seed ^ bench_stream) + number;
+    s.seed = (seed ^ estimator::bench_stream) + number;
     s.photons = photons;
     s.max_time_s = max_time_s;
     RunOptions quiet;

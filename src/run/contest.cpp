@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "estimator/random_blocks.hpp"
 #include "estimator/walk_attenuation.hpp"
 #include "estimator/world.hpp"
 #include "run/batches.hpp"
@@ -16,15 +17,12 @@
 namespace photic::run {
 namespace {
 
-/// Folded into the seed: pilots share no random number with the run.
-constexpr std::uint64_t pilot_stream = 0x1e3779b97f4a7c15;
-
 // Pilots have many small batches, which tell their errors: of the bidirectional estimator so many
 // photons each, fewer for a run of few.
-constexpr std::uint64_t least_in_batch = 16, most_in_batch = 64;
+constexpr std::uint64_t min_in_batch = 16, max_in_batch = 64;
 /// Photons of the forward estimator cost so much less that its pilots have more of them.
 constexpr std::uint64_t forward_factor = 8;
-constexpr std::uint64_t first_batches = 16, most_batches = 160;
+constexpr std::uint64_t first_batches = 16, max_batches = 160;
 
 /// The squared error that the best pilot knows a gate to, if it counts: 10 % after the last stage,
 /// in proportion before. The pilots of an estimator that misses rare large scores look best where
@@ -39,7 +37,7 @@ constexpr double clearly_worse = 8;
 constexpr std::uint64_t usual_batches = 64;
 
 /// Sums that take more begin anew in each stage: those of several contenders are kept at once.
-constexpr double most_kept_bytes = 1e8;
+constexpr double max_kept_bytes = 1e8;
 
 /// What a run costs, in units of a forward photon's collision: a photon, whatever becomes of it,
 /// which is all there is in water that hardly scatters; a collision; a score offered to the
@@ -57,7 +55,7 @@ Isa engine_of_pilots(const RunOptions& options) {
 
 estimator::Model model_of(const estimator::Model& open, const Contender& contender) {
   scene::Simulation s = contender.simulation;
-  s.seed ^= pilot_stream;
+  s.seed ^= estimator::pilot_stream;
   s.photons.reset();
   s.target_relative_error.reset();
   s.max_time_s.reset();
@@ -73,7 +71,7 @@ class Trial {
       : model_(model_of(open, contender)),
         forward_(model_.scene.simulation.estimator == scene::Estimator::forward),
         in_batch_(in_batch * (forward_ ? forward_factor : 1)),
-        keeps_(scene::tally_memory(open.scene).bytes() < most_kept_bytes) {}
+        keeps_(scene::tally_memory(open.scene).bytes() < max_kept_bytes) {}
 
   void go_on_to(std::uint64_t batches, const RunOptions& options) {
     model_.scene.simulation.photons = photons_ = batches * in_batch_;
@@ -127,8 +125,8 @@ class Contest {
       : asked_(model.scene.simulation), options_(options) {
     const std::uint64_t in_batch =
         std::clamp(asked_.photons.value_or(std::numeric_limits<std::uint64_t>::max()) /
-                       (first_batches * least_in_batch),
-                   least_in_batch, most_in_batch);
+                       (first_batches * min_in_batch),
+                   min_in_batch, max_in_batch);
     for (const Contender& c : contenders) trials_.emplace_back(model, c, in_batch);
     for (std::size_t i = 0; i < trials_.size(); ++i) staying_.push_back(i);
     out_.standing.resize(trials_.size());
@@ -146,7 +144,7 @@ class Contest {
   }
 
  private:
-  static std::uint64_t next(std::uint64_t batches) { return std::min(2 * batches, most_batches); }
+  static std::uint64_t next(std::uint64_t batches) { return std::min(2 * batches, max_batches); }
 
   [[nodiscard]] std::vector<Pilot> pilots() const {
     std::vector<Pilot> out;
@@ -163,7 +161,7 @@ class Contest {
     for (const Trial& trial : trials_) out_.operations += trial.operations();
     const std::vector<Pilot> now = pilots();
     const std::vector<bool> compared = gates_compared(
-        now, known_at_last * static_cast<double>(most_batches) / static_cast<double>(batches));
+        now, known_at_last * static_cast<double>(max_batches) / static_cast<double>(batches));
     const auto best = best_of(now, compared, out_.aim);
     if (!best) return;
     out_.best = staying_[*best];
@@ -193,7 +191,7 @@ class Contest {
   }
 
   [[nodiscard]] bool goes_on(std::uint64_t batches) const {
-    if (batches == most_batches || (out_.best && staying_.size() == 1)) return false;
+    if (batches == max_batches || (out_.best && staying_.size() == 1)) return false;
     const auto expected = out_.best ? expected_operations() : std::nullopt;
     if (!expected) return next(batches) <= usual_batches;
     const double factor = static_cast<double>(next(batches)) / static_cast<double>(batches);
@@ -214,7 +212,7 @@ class Contest {
 
 PilotScores scores_of_first_pilot(const estimator::Model& model,
                                   const scene::Simulation& simulation, const RunOptions& options) {
-  Trial trial(model, {{}, simulation}, least_in_batch);
+  Trial trial(model, {{}, simulation}, min_in_batch);
   trial.go_on_to(first_batches, options);
   const double receivers = static_cast<double>(estimator::count_receivers(model));
   return {trial.scores(),

@@ -11,7 +11,7 @@ namespace {
 /// In a set of walks each kind makes so many samples (docs/decisions/0042).
 constexpr double samples_in_set = 25;
 /// Per metre: more is never worth the while.
-constexpr double most_meetings = 2.5;
+constexpr double max_meetings = 2.5;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ std::optional<FreeMeetings> usual_free_meetings(const estimator::Model& model,
     if (!used) return 0.0;
     const auto [scores, sets] = scores_with(telescope, laser);
     const double in_set = (scores - none.scores) / sets;
-    return in_set > samples_in_set / most_meetings ? samples_in_set / in_set : most_meetings;
+    return in_set > samples_in_set / max_meetings ? samples_in_set / in_set : max_meetings;
   };
   return FreeMeetings{per_metre(strategies.free_telescope.used, 1, 0),
                       per_metre(strategies.free_laser.used, 0, 1)};

@@ -13,7 +13,7 @@ constexpr double largest_share_of_squared_error = 0.05;
 /// Where nothing was scored, as where one score is all: who saw that one is no worse.
 constexpr double unknown_squared_error = 1 / largest_share_of_squared_error;
 /// No error is known to be smaller: they are differences of rounded sums.
-constexpr double least_squared_error = 1e-16;
+constexpr double min_squared_error = 1e-16;
 
 bool is_better(const Pilot& a, const Pilot& b, const std::vector<bool>& compared, Aim aim) {
   if (a.rows_seen != b.rows_seen) return a.rows_seen > b.rows_seen;
@@ -33,7 +33,7 @@ Pilot pilot_of(const tally::Result& result, double cost) {
     out.rows_seen += row_seen ? 0 : 1;
     row_seen = true;
     const double largest = result.largest_score_share[cell];
-    squared_error = std::max({least_squared_error, relative * relative,
+    squared_error = std::max({min_squared_error, relative * relative,
                               largest * largest / largest_share_of_squared_error});
   }
   return out;

@@ -70,7 +70,7 @@ void warn(tally::Result& result, const scene::Simulation& simulation) {
         simulation.estimator == scene::Estimator::bidirectional
             ? fmt::format("{} walks were cut after {} vertices ({:.2g} of all weight): echoes of "
                           "light scattered so often are low",
-                          result.lost_too_many_events, estimator::most_vertices, result.ledger.lost)
+                          result.lost_too_many_events, estimator::max_vertices, result.ledger.lost)
             : fmt::format("{} photons were lost after too many events ({:.2g} of all weight)",
                           result.lost_too_many_events, result.ledger.lost));
   }

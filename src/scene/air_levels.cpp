@@ -16,7 +16,7 @@ namespace {
 
 constexpr double m3_per_cm3 = 1e-6;
 /// The least that a CSV may tell. A tape6 prints less as 0 where the air is thin.
-constexpr double least_per_cm3 = 1;
+constexpr double min_per_cm3 = 1;
 
 optics::DataTable::Column column(const std::string& name, const std::vector<double>& values,
                                  double factor = 1, double least = 0) {
@@ -29,9 +29,9 @@ optics::DataTable::Column column(const std::string& name, const std::vector<doub
 optics::DataTable table_of(const optics::AirProfile& air, const std::string& name) {
   const auto& aerosols = air.aerosols_per_km;
   auto table = optics::DataTable::of_columns(
-      {column("z_km", air.z_km), column("p_hpa", air.pressure_hpa, 1, optics::least_hpa),
+      {column("z_km", air.z_km), column("p_hpa", air.pressure_hpa, 1, optics::min_hpa),
        column("t_k", air.temperature_k),
-       column("air_per_cm3", air.air_per_m3, m3_per_cm3, least_per_cm3),
+       column("air_per_cm3", air.air_per_m3, m3_per_cm3, min_per_cm3),
        column("ozone_per_cm3", air.ozone_per_m3, m3_per_cm3),
        column("relative_humidity_percent", air.relative_humidity_percent),
        column("boundary_layer_per_km", aerosols[optics::boundary_layer]),
@@ -43,7 +43,7 @@ optics::DataTable table_of(const optics::AirProfile& air, const std::string& nam
   return table;
 }
 
-constexpr double least_nm = 200, most_nm = 1100;
+constexpr double min_nm = 200, max_nm = 1100;
 
 /// What MODTRAN calls the transmittance by all there is, and by what Photic has itself.
 constexpr const char* of_all = "COMBIN TRANS";
@@ -96,7 +96,7 @@ optics::DataTable read_gas_depths(const std::string& path) {
   const std::vector<std::string> columns = air.columns();
   std::vector<double> wavelength_nm, optical_depth;
   for (const double nm : air.wavelengths_nm()) {
-    if (nm < least_nm || nm > most_nm) continue;
+    if (nm < min_nm || nm > max_nm) continue;
     wavelength_nm.push_back(nm);
     optical_depth.push_back(of_gases(air, columns, nm));
   }

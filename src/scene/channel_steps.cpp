@@ -16,7 +16,7 @@ namespace photic::scene {
 namespace {
 
 constexpr const char* centre_key = "centre_nm";
-constexpr double most_steps = 1000;
+constexpr double max_steps = 1000;
 
 struct Steps {
   double from{}, to{}, step{};
@@ -43,9 +43,9 @@ std::optional<Refusal> read(const Node& table, Steps& steps) {
   if (steps.to < steps.from)
     return Refusal{fmt::format("goes from {:g} to {:g} nm", steps.from, steps.to),
                    "give the shorter wavelength first"};
-  if (steps.count() > most_steps)
+  if (steps.count() > max_steps)
     return Refusal{fmt::format("makes {:.7g} channels", steps.count()),
-                   fmt::format("at most {:.0f} are possible: take longer steps", most_steps)};
+                   fmt::format("at most {:.0f} are possible: take longer steps", max_steps)};
   return std::nullopt;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 /// Air of the sea level has an index of 1.0003. Bent light is known up to these: by the axis of an
 /// instrument and what is near it alone.
-constexpr double most_of_air_index = 1.001, most_bent_deg = 60;
+constexpr double max_of_air_index = 1.001, max_bent_deg = 60;
 
 /// Light that comes to the sea from above, and goes back there, is all that the air is known for.
 void check_what_is_below(const Scene& scene, Findings& findings) {
@@ -96,9 +96,9 @@ void check_aerosols(const Atmosphere& air, Findings& findings) {
 
 /// Remarks on values that are possible, but more likely to be in another unit.
 void remark_units(const Atmosphere& air, Findings& findings) {
-  constexpr double most_fraction = 1, clearest_km = 100, thickest_fog_per_m = 0.1;
+  constexpr double max_fraction = 1, clearest_km = 100, thickest_fog_per_m = 0.1;
   const double humidity = air.relative_humidity_percent.value_or(0);
-  if (humidity > 0 && humidity <= most_fraction)
+  if (humidity > 0 && humidity <= max_fraction)
     findings.remark("atmosphere.relative_humidity_percent",
                     fmt::format("{0} % is very dry: is it a fraction? {0} of saturation would be "
                                 "{1}",
@@ -110,7 +110,7 @@ void remark_units(const Atmosphere& air, Findings& findings) {
   for (std::size_t i = 0; i < air.layer.size(); ++i) {
     const AirLayer& layer = air.layer[i];
     const std::string path = below("atmosphere.layer", i);
-    if (layer.refractive_index > most_of_air_index && !air.refraction)
+    if (layer.refractive_index > max_of_air_index && !air.refraction)
       findings.remark(below(path, "refractive_index"),
                       fmt::format("no air has a refractive index of {}: at the sea it is 1.0003",
                                   plain_number(layer.refractive_index)));
@@ -149,12 +149,12 @@ void check_gases(const Atmosphere& air, Findings& findings) {
 void check_refraction(const Scene& scene, Findings& findings) {
   const auto check = [&](const std::string& path, const Vec3<double>& direction) {
     if (!findings.good({path}) || dot(direction, direction) == 0) return;
-    if (-normalised(direction).z < std::cos(most_bent_deg * radian_per_degree))
+    if (-normalised(direction).z < std::cos(max_bent_deg * radian_per_degree))
       findings.add(
           path,
           fmt::format(
               "the axis is more than {:g} degrees off nadir, where refraction is not computed",
-              most_bent_deg),
+              max_bent_deg),
           "look down more steeply, or leave atmosphere.refraction out");
   };
   check("source.direction", scene.source.direction);
@@ -162,12 +162,12 @@ void check_refraction(const Scene& scene, Findings& findings) {
     check(below(below("telescope", i), "direction"), scene.telescope[i].direction);
   for (std::size_t i = 0; i < scene.atmosphere->layer.size(); ++i) {
     const std::string path = below(below("atmosphere.layer", i), "refractive_index");
-    if (findings.good({path}) && scene.atmosphere->layer[i].refractive_index > most_of_air_index)
+    if (findings.good({path}) && scene.atmosphere->layer[i].refractive_index > max_of_air_index)
       findings.add(
           path,
           fmt::format(
               "air of such an index bends light too much: with refraction it can be {:g} at most",
-              most_of_air_index),
+              max_of_air_index),
           "write a lower index, or leave atmosphere.refraction out");
   }
 }

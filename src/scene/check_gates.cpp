@@ -12,7 +12,7 @@
 namespace photic::scene {
 namespace {
 
-constexpr double most_gates = 1e6;
+constexpr double max_gates = 1e6;
 
 /// The names of the keys of an interval, and their unit.
 struct Keys {
@@ -52,10 +52,9 @@ bool check_interval(const Gates::Interval& interval, const Keys& keys, Findings&
                  fmt::format("a gate of {0} {2} is longer than all gates together, {1} {2}",
                              plain_number(interval.step), plain_number(extent), keys.unit),
                  "");
-  } else if (!(interval.steps() <= most_gates)) {
-    findings.add(
-        keys.step, fmt::format("these are {:.7g} gates", interval.steps()),
-        fmt::format("at most {} are possible: take longer ones", plain_number(most_gates)));
+  } else if (!(interval.steps() <= max_gates)) {
+    findings.add(keys.step, fmt::format("these are {:.7g} gates", interval.steps()),
+                 fmt::format("at most {} are possible: take longer ones", plain_number(max_gates)));
   } else {
     remark_uneven(interval, keys, findings);
     return true;
@@ -217,7 +216,7 @@ void check_memory(const Scene& scene, Findings& findings) {
                       "sensitivity"}))
     return;
   const TallyMemory memory = tally_memory(scene);
-  if (memory.bytes() <= most_tally_memory) return;
+  if (memory.bytes() <= max_tally_memory) return;
   const auto [path, suggestion] = what_to_lessen(memory, scene);
   const auto count = [](const char* what, std::size_t number) {
     return number == 0 ? "" : fmt::format(", {} {}", what, number);
@@ -231,7 +230,7 @@ void check_memory(const Scene& scene, Findings& findings) {
                   count("cells of depth", static_cast<std::size_t>(scene.gates.depth_cells)),
                   count("environments", scene.environment.size()),
                   count("parameters", scene.sensitivity.size()),
-                  memory.bytes() / (most_tally_memory / 2.0)),
+                  memory.bytes() / (max_tally_memory / 2.0)),
       suggestion);
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double thickest_film_um = 1000;
 /// A line of the band has at least half as many spectral bins as its light is of all.
-constexpr double most_analog_yield = 0.5;
+constexpr double max_analog_yield = 0.5;
 
 void check_surface_under_oil(const Scene& scene, Findings& findings) {
   const Surface& surface = scene.sea.surface;
@@ -30,12 +30,12 @@ void check_oil(const Scene& scene, Findings& findings) {
       findings.good({"simulation.estimator"}))
     findings.add("simulation.estimator", "the analog estimator cannot treat a film of oil on waves",
                  "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
-  if (scene.oil->yield.value_or(0) > most_analog_yield &&
+  if (scene.oil->yield.value_or(0) > max_analog_yield &&
       scene.simulation.estimator == Estimator::analog && findings.good({"simulation.estimator"}))
     findings.add("simulation.estimator",
                  fmt::format("analog photons are emitted with a probability below 1, and so by "
                              "oils with a yield up to {}",
-                             most_analog_yield),
+                             max_analog_yield),
                  "write estimator = \"forward\"");
   if (scene.simulation.tools.forced_collisions > 0 && findings.good({"simulation.tools"}))
     findings.add("simulation.tools.forced_collisions",

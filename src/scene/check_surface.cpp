@@ -13,7 +13,7 @@ namespace {
 
 /// What is neither flat nor a sea, and would be lost in the rounding of floats.
 void check_size(const Surface& surface, Findings& findings) {
-  constexpr double least_variance = 1e-6, least_m_s = 1e-3;
+  constexpr double min_variance = 1e-6, min_m_s = 1e-3;
   const auto check = [&](const char* key, double value, double least, const char* what,
                          const char* unit) {
     if (value > 0 && value < least)
@@ -22,10 +22,10 @@ void check_size(const Surface& surface, Findings& findings) {
           fmt::format("{} of {}{} is too small for waves", what, plain_number(value), unit),
           fmt::format("write 0, or at least {}", plain_number(least)));
   };
-  check("wind_speed_m_s", surface.wind_speed_m_s, least_m_s, "a wind", " m/s");
+  check("wind_speed_m_s", surface.wind_speed_m_s, min_m_s, "a wind", " m/s");
   const char* variance = "a variance";
-  check("upwind_slope_variance", surface.upwind_slope_variance, least_variance, variance, "");
-  check("crosswind_slope_variance", surface.crosswind_slope_variance, least_variance, variance, "");
+  check("upwind_slope_variance", surface.upwind_slope_variance, min_variance, variance, "");
+  check("crosswind_slope_variance", surface.crosswind_slope_variance, min_variance, variance, "");
 }
 
 /// Walks through waves of one direction have to be translated to meet, which flat rays of tilted

@@ -15,7 +15,7 @@ void compare(const Node* left, const Node* right, const std::string& path,
              std::vector<Difference>& out);
 
 /// Above it, a column of numbers is told as a whole.
-constexpr std::size_t most_elements = 4;
+constexpr std::size_t max_elements = 4;
 
 /// Elements of two arrays that are equally long.
 void compare_elements(const Node::Array& left, const Node::Array& right, const std::string& path,
@@ -25,7 +25,7 @@ void compare_elements(const Node::Array& left, const Node::Array& right, const s
   const bool plain = std::ranges::none_of(left, [](const Node& element) {
     return element.as<Node::Array>() || element.as<Node::Table>();
   });
-  if (plain && found.size() > most_elements)
+  if (plain && found.size() > max_elements)
     found = {{path, fmt::format("an array of {}", left.size()),
               fmt::format("one with {} other values", found.size())}};
   out.insert(out.end(), found.begin(), found.end());

@@ -71,7 +71,7 @@ std::optional<std::vector<double>> cut(const std::vector<Varying>& profiles, con
   std::vector<double> ends;
   double top = span.top_m;
   while (top < span.bottom_m) {
-    if (ends.size() == most_cuts) return std::nullopt;
+    if (ends.size() == max_cuts) return std::nullopt;
     const double end = cutter.end_of(top, span.bottom_m);
     if (!(end > top)) return std::nullopt;  // thinner than doubles can tell
     ends.push_back(end);

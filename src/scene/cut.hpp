@@ -31,11 +31,11 @@ struct Span {
 [[nodiscard]] double allowed_departure(const Varying& varying, const Span& span, double tolerance);
 
 /// More are refused.
-inline constexpr std::size_t most_cuts = 500;
+inline constexpr std::size_t max_cuts = 500;
 
 /// The lower ends of as few layers as it takes, from the top down, for no profile to depart from
 /// its mean within a layer by more than allowed_departure. Depths are round where the tolerance
-/// lets them. Nothing if that is more than most_cuts.
+/// lets them. Nothing if that is more than max_cuts.
 [[nodiscard]] std::optional<std::vector<double>> cut(const std::vector<Varying>& profiles,
                                                      const Span& span, double tolerance);
 

@@ -12,7 +12,7 @@
 namespace photic::scene {
 
 /// Bounds the copies of a photon that wait while another one is followed.
-inline constexpr double most_importance = 100;
+inline constexpr double max_importance = 100;
 
 template <class V>
 void describe(V& v, Gates& g) {
@@ -52,7 +52,7 @@ void describe(V& v, Gates& g) {
 template <class V>
 void describe(V& v, Importance& i) {
   v.required("depth_m", i.depth_m, positive, "from this depth on, in m");
-  v.required(expert("value"), i.value, Number{.low = 1 / most_importance, .high = most_importance},
+  v.required(expert("value"), i.value, Number{.low = 1 / max_importance, .high = max_importance},
              "the worth of a photon there, relative to 1 at the surface");
 }
 
@@ -131,8 +131,7 @@ void describe(V& v, Simulation& s) {
              "thirds of it");
   v.optional(expert("sampling"), s.sampling, ChoiceOf<Sampling>{},
              "how the photons or walks of a batch begin");
-  v.optional(expert("batch_photons"), s.batch_photons,
-             Count{least_batch_photons, most_batch_photons},
+  v.optional(expert("batch_photons"), s.batch_photons, Count{min_batch_photons, max_batch_photons},
              "photons of a batch: errors are those of the scatter of batches; by default the most "
              "of which photons holds 40 batches, and 2000 at most of the bidirectional estimator");
   v.section(expert("tools"), s.tools, Need::optional,

@@ -79,7 +79,7 @@ void describe_profile(V& v, Atmosphere& a) {
              "23, or the aerosols of the profile's own levels");
   v.optional(
       "aerosol_optical_depth_550", a.aerosol_optical_depth_550,
-      from_to(0.0, optics::most_aerosol_depth),
+      from_to(0.0, optics::max_aerosol_depth),
       "the vertical optical depth of all aerosols at 550 nm from the sea to top_km, in place "
       "of the visibility: it scales the aerosols of the lowest 2 km");
   v.optional(expert("season"), a.season,

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* grid_key = "environment_grid";
 /// More would take minutes to be read, and more memory than tallies may have.
-constexpr double most_environments = 10000;
+constexpr double max_environments = 10000;
 
 std::string last_part(const std::string& path) {
   return path.substr(path.find_last_of('.') + 1);  // all of a path without dots
@@ -80,9 +80,9 @@ bool check_grid(const Entry& grid, Findings& findings) {
   }
   bool good = true;
   for (const Entry& entry : *table) good = check_values(entry, findings) && good;
-  if (!good || product(*table) <= most_environments) return good;
+  if (!good || product(*table) <= max_environments) return good;
   findings.add_at(grid.value.place, fmt::format("these are {:.7g} environments", product(*table)),
-                  fmt::format("at most {:.0f} are possible: give fewer values", most_environments));
+                  fmt::format("at most {:.0f} are possible: give fewer values", max_environments));
   return false;
 }
 

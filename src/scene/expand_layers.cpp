@@ -137,7 +137,7 @@ class LayerExpander {
     findings_.add(
         found.front().path, found.front().place,
         fmt::format("the layer would be cut into more than {} with profile_tolerance = {}",
-                    most_cuts, plain_number(tolerance_)),
+                    max_cuts, plain_number(tolerance_)),
         enough ? fmt::format("profile_tolerance = {:g} would do", *enough)
                : "are the units right?");
     return std::nullopt;

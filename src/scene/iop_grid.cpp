@@ -25,7 +25,7 @@ constexpr const char* depth_name = "depth_m";
 constexpr const char* wavelength_name = "wavelength_nm";
 constexpr const char* order = "sort rows by depth, and those of a depth by wavelength";
 /// Pairs of a depth and a wavelength: every one of them becomes a line of the effective scene.
-constexpr std::size_t most_pairs = 100'000;
+constexpr std::size_t max_pairs = 100'000;
 
 bool is_among(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -68,10 +68,9 @@ std::string hint(const std::string& name, const std::vector<std::string>& there,
 }
 
 std::string size_refusal(std::size_t depths, std::size_t wavelengths) {
-  if (depths <= most_cuts && wavelengths <= most_pairs / std::max<std::size_t>(depths, 1))
-    return "";
+  if (depths <= max_cuts && wavelengths <= max_pairs / std::max<std::size_t>(depths, 1)) return "";
   return fmt::format("{} depths with {} wavelengths are too many: at most {} depths, and {} pairs",
-                     depths, wavelengths, most_cuts, most_pairs);
+                     depths, wavelengths, max_cuts, max_pairs);
 }
 
 // --- Text ----------------------------------------------------------------------------------------

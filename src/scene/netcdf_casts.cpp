@@ -181,9 +181,9 @@ Cast Casts::chosen(std::optional<std::int64_t> profile) const {
                fmt::format("there is no profile {}: it has {}, counted from 0", number, count()),
                choice);
   Cast out = cast(number);
-  if (out.value.size() > most_levels)
+  if (out.value.size() > max_levels)
     file_.fail(shape, fmt::format("profile {} has {} levels; at most {} are read", number,
-                                  out.value.size(), most_levels));
+                                  out.value.size(), max_levels));
   return out;
 }
 

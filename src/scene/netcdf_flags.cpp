@@ -13,7 +13,7 @@ namespace photic::scene {
 namespace {
 
 /// More different values than flags have.
-constexpr std::size_t most_codes = 10'000;
+constexpr std::size_t max_codes = 10'000;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void QualityFlags::add(const std::string& name, bool is_listed) {
   if (!place || (!is_listed && shape.size() != shape_.size()))
     file_.fail(shape_text(name, shape), fmt::format("should have a flag for each value of {}",
                                                     shape_text(variable_, shape_)));
-  if (codes.size() > most_codes) {
+  if (codes.size() > max_codes) {
     remarks_.push_back(
         fmt::format("{} has {} different values, which are no flags, and is not looked at", name,
                     codes.size()));

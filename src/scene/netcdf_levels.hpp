@@ -11,7 +11,7 @@
 namespace photic::scene {
 
 /// More levels than any instrument writes; bounds the time that cutting takes.
-inline constexpr std::size_t most_levels = 100'000;
+inline constexpr std::size_t max_levels = 100'000;
 
 /// One profile of a variable: values by level, NaN where there are none or flags call them bad.
 struct Levels {

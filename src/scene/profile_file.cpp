@@ -144,8 +144,8 @@ ReadProfile profile_of_text(const ProfileFile& from, const ProfiledKey& key) {
   measured.value = table.numbers(value);
   const std::size_t rows = measured.depth_m.size();
   if (rows < 2) table.fail(0, depth, "a profile needs at least two rows");
-  if (rows > most_levels)
-    table.fail(most_levels, depth, fmt::format("at most {} rows are read", most_levels));
+  if (rows > max_levels)
+    table.fail(max_levels, depth, fmt::format("at most {} rows are read", max_levels));
   for (std::size_t i = 0; i < rows; ++i) measured.level.push_back(i);
   const auto refuse = [&](std::size_t row, const Refusal& refusal) {
     table.fail(row, value, refusal.reason, refusal.suggestion);

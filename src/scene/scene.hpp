@@ -251,7 +251,7 @@ struct Tools {
 };
 
 /// Photons of a batch that a scene may ask for.
-inline constexpr std::int64_t least_batch_photons = 250, most_batch_photons = 8000;
+inline constexpr std::int64_t min_batch_photons = 250, max_batch_photons = 8000;
 
 struct Simulation {
   Estimator estimator = Estimator::automatic;

@@ -6,7 +6,7 @@
 namespace photic::scene {
 
 /// No run takes more for its tallies [bytes].
-inline constexpr double most_tally_memory = 2147483648.0;
+inline constexpr double max_tally_memory = 2147483648.0;
 
 /// In bytes, where light reaches every gate; where it does not they take less. All copies are
 /// counted: sums, sums before an incomplete last batch, the result, what is being written. By what

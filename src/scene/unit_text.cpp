@@ -117,7 +117,7 @@ class UnitReader {
     if (error != std::errc{} || !(value > 0)) return std::nullopt;
     at_ = static_cast<std::size_t>(stop - text_.data());
     const int decade = static_cast<int>(std::lround(std::log10(value)));
-    if (std::abs(decade) > most_decades || std::fabs(value / std::pow(10, decade) - 1) > 1e-12)
+    if (std::abs(decade) > max_decades || std::fabs(value / std::pow(10, decade) - 1) > 1e-12)
       return std::nullopt;
     return Unit{decade, 0, 0, 0};
   }
@@ -149,7 +149,7 @@ class UnitReader {
     product.pascal += exponent * unit.pascal;
   }
 
-  static constexpr int most_decades = 30;
+  static constexpr int max_decades = 30;
   const std::string text_;
   std::size_t at_ = 0;
 };

@@ -113,20 +113,16 @@ class BothMediaSimulator final : public Simulator {
   mutable BothMedia<Histories> both_media_;
 };
 
-/// What histories score beside the walks of a world, unless it is light in the air.
-template <class Histories>
-std::unique_ptr<Simulator> beside_walks_in_water(
-    const estimator::Model& model, estimator::World<typename Histories::Number> walks) {
-  if (surface::film_shines(walks.sea)) return std::make_unique<FilmSimulator<Histories>>(model);
-  if (!walks.sea.waves.rough) return nullptr;
-  return std::make_unique<SurfaceEchoSimulator<Histories>>(std::move(walks));
-}
-
 template <class Histories>
 BesideWalks beside_walks(const estimator::Model& model) {
   using T = typename Histories::Number;
+  const auto sea = model.medium.view();
   BesideWalks out;
-  out.in_water = beside_walks_in_water<Histories>(model, estimator::make_world<T>(model));
+  if (surface::film_shines(sea))
+    out.in_water = std::make_unique<FilmSimulator<Histories>>(model);
+  else if (sea.waves.rough)
+    out.in_water =
+        std::make_unique<SurfaceEchoSimulator<Histories>>(estimator::make_world<T>(model));
   if (model.air) out.in_air = std::make_unique<BothMediaSimulator<Histories>>(model);
   return out;
 }

@@ -80,7 +80,7 @@ class Pool {
     else
       run<estimator::PlainEvents>(tally, witness);
     estimator::flush_queues(world_, estimates_, tally);
-    tally.ledger = tally.ledger + total(ledger_);
+    tally.ledger += total(ledger_);
     ledger_ = {};
   }
   template <class Events, class Witness>

@@ -40,6 +40,7 @@ struct CellScores {
     ++scores;
   }
   void add(const CellScores& others);
+  friend bool operator==(const CellScores&, const CellScores&) = default;
 };
 
 /// So many of them in each octave.
@@ -92,6 +93,20 @@ struct EnvironmentScores {
     }
   }
   void add(const EnvironmentScores& others);
+  friend bool operator==(const EnvironmentScores&, const EnvironmentScores&) = default;
+};
+
+/// Where a grid of parts is among the sums of a cell.
+struct GridPlaces {
+  std::size_t size = 0;  ///< cells for each gate
+  std::size_t offset = 0;
+};
+
+/// What a batch scored on a grid that is a profile.
+struct ProfileScores {
+  std::size_t size = 0;                               ///< cells for each gate
+  ZeroedVector<double> sums{};                        ///< [cell][cell of the grid]
+  std::vector<std::vector<std::uint32_t>> touched{};  ///< [row] sums that are not 0
 };
 
 class BatchTally {
@@ -103,8 +118,7 @@ class BatchTally {
   [[nodiscard]] auto places(const Double& path, const Double& depth) const {
     const auto gate = gates_->find(path);
     return Places<std::remove_const_t<decltype(gate)>>{
-        gate, cell_below((depth - Double(shape_->depth_min)) * Double(shape_->per_depth_step),
-                         static_cast<std::int32_t>(shape_->depths))};
+        gate, cell_below((depth - Double(depth_min_)) * Double(per_depth_step_), depths_)};
   }
 
   void score(const Score& s) { score(s, places(s.path, s.depth)); }
@@ -137,16 +151,27 @@ class BatchTally {
   /// Whether any channel of a telescope asks for the light of a line, or of one within its view.
   [[nodiscard]] bool wants(std::size_t telescope, std::int32_t line) const;
 
-  // Sums over the batch. The echo of a cell is the sum of by_order over its orders.
-  ZeroedVector<double> by_order;    ///< [cell][order]
-  ZeroedVector<double> by_process;  ///< [cell][process]
-  ZeroedVector<double> by_depth;    ///< [cell][depth]
-  ZeroedVector<CellScores> cells;   ///< [cell]
+  /// Calls f(array, size) for all that is summed in cells, `size` elements of each; but for
+  /// profiles, which are listed where they are touched.
+  template <class F>
+  void each_array(F f) {
+    f(parts, parts_size);
+    f(cells, 1);
+    for (auto& kind : octaves) f(kind, 1);
+    f(environment, environment_groups);
+  }
+
+  // Sums over the batch. The echo of a cell is the sum of the first grid's cells.
+  std::vector<GridPlaces> grids;   ///< of parts, in the order of the shape's
+  std::size_t parts_size = 0;      ///< of all of them
+  ZeroedVector<double> parts;      ///< [cell][grid of parts][cell of the grid]
+  ProfileScores profile;           ///< by depth, if there is one
+  ZeroedVector<CellScores> cells;  ///< [cell]
   /// [cell], by the walks that the scores are of. Kinds without a score take no memory.
   std::array<ZeroedVector<OctavesOfBatch>, kinds_of_walked> octaves;
   std::size_t environment_groups;
-  ZeroedVector<EnvironmentScores> environment;  ///< [cell][group of environments]
-  std::vector<std::uint32_t> touched_cells, touched_depths;
+  ZeroedVector<EnvironmentScores> environment;            ///< [cell][group of environments]
+  std::vector<std::vector<std::uint32_t>> touched_cells;  ///< [row]
 
   Ledger ledger;  ///< sums of weights
   std::uint64_t photons = 0, collisions = 0, scores = 0, too_many_events = 0, not_finite = 0;
@@ -159,9 +184,9 @@ class BatchTally {
   };
   /// As scores need it.
   struct Light {
-    std::size_t process = 0;
     std::vector<CountingRow> counting;
-    const Decay* decay = nullptr;  ///< none: all of it is emitted at once
+    std::size_t process = 0, by_process = 0;  ///< and its place among the parts of a cell
+    const Decay* decay = nullptr;             ///< none: all of it is emitted at once
   };
 
   /// Calls act(gate, share) for the gates that a score falls into, if it is one.
@@ -190,38 +215,60 @@ class BatchTally {
   struct Pass {
     std::size_t from = 0, to = 0;
   };
+  /// Axes of one quantity are the same in all grids.
+  void know(const Axis& axis);
+  void add_further(const Grid& grid, std::size_t offset);
   /// Adds all that a cell has to another one.
   void add_cell(std::size_t from, std::size_t to);
+  /// Adds to a sum of a profile.
+  void add_to_profile(std::size_t cell, std::size_t at, double value);
   /// Adds a share of a score to a cell. Tells whether its echo has it.
   bool add(const Score& s, std::int32_t depth, std::size_t cell, double share);
 
   const Shape* shape_;
   const Gates* gates_;
-  std::size_t orders_, processes_, depths_, cells_of_telescope_;
+  std::size_t cells_of_telescope_;
+  std::size_t last_order_bin_ = 0;  ///< of the axis of orders
+  /// A grid of parts after the first two; 0 per what it is not by.
+  struct Further {
+    std::size_t offset = 0, per_process = 0, per_order = 0;
+  };
+  std::vector<Further> further_;
+  std::int32_t depths_ = 0;  ///< of the axis of depths, if there is one
+  double depth_min_ = 0, per_depth_step_ = 1;
   std::vector<Light> light_;       ///< [light]
   std::vector<Pass> passes_;       ///< from narrow views to wide ones
   std::int32_t last_order_;        ///< beyond it scores are cut off
   std::vector<GateShare> shares_;  ///< of the last score that was not emitted at once
 };
 
+inline void BatchTally::add_to_profile(std::size_t cell, std::size_t at, double value) {
+  if (profile.sums[at] == 0)
+    profile.touched[shape_->row_of(cell)].push_back(static_cast<std::uint32_t>(at));
+  profile.sums[at] += value;
+}
+
 inline bool BatchTally::add(const Score& s, std::int32_t depth, std::size_t cell, double share) {
   const double value = s.value * share;
   if (!(value > 0)) return false;  // a share of nothing: the cell would be touched twice
   CellScores& here = cells[cell];
-  if (!here.touched()) touched_cells.push_back(static_cast<std::uint32_t>(cell));
+  if (!here.touched())
+    touched_cells[shape_->row_of(cell)].push_back(static_cast<std::uint32_t>(cell));
   if (s.order > last_order_) {
     here.cut_order += value;
     return false;
   }
   here.add(value);
   ++octaves[kind_of(s.walked)][cell][static_cast<std::size_t>(score_octave(value))];
-  by_order[cell * orders_ + std::min(static_cast<std::size_t>(s.order), orders_ - 1)] += value;
-  by_process[cell * processes_ + light_[static_cast<std::size_t>(s.light)].process] += value;
-  if (depth >= 0) {
-    const std::size_t k = cell * depths_ + static_cast<std::size_t>(depth);
-    if (by_depth[k] == 0) touched_depths.push_back(static_cast<std::uint32_t>(k));
-    by_depth[k] += value;
-  }
+  const Light& light = light_[static_cast<std::size_t>(s.light)];
+  const std::size_t order = std::min(static_cast<std::size_t>(s.order), last_order_bin_);
+  double* const of_cell = &parts[cell * parts_size];
+  of_cell[order] += value;             // the first two grids, which are always there,
+  of_cell[light.by_process] += value;  // are not worth a loop
+  for (const Further& grid : further_)
+    of_cell[grid.offset + grid.per_process * light.process + grid.per_order * order] += value;
+  if (depth >= 0)
+    add_to_profile(cell, cell * profile.size + static_cast<std::size_t>(depth), value);
   return true;
 }
 

@@ -17,17 +17,17 @@ namespace {
 
 // The thresholds below were set on runs against converged references (docs/theory.md, "Error
 // bars").
-constexpr double least_batches = 30;
+constexpr double min_batches = 30;
 constexpr double largest_relative_error = 0.10;
 constexpr double tail_scores = 100;  // at least, that tell how the largest ones are distributed
 /// Scores like 1 / d^2, of points a distance d away, exceed x with a chance as x^-1.5: taken to be
 /// known as well as tail_scores scores would tell.
 constexpr double expected_index = 1.5;
-constexpr double least_tail_index = 1.05;  // tails have a mean
-constexpr double largest_unseen = 1;       // in standard errors of the batches
+constexpr double min_tail_index = 1.05;  // tails have a mean
+constexpr double largest_unseen = 1;     // in standard errors of the batches
 /// Of telescopes' walks, at least: with fewer they have hardly ever come near the beam, and what
 /// only they can find has not been seen (decision 39).
-constexpr double least_scores_with_telescope = 300;
+constexpr double min_scores_with_telescope = 300;
 /// Of an echo, that its flags do not ask about (decision 47).
 constexpr double negligible_share = 1e-3;
 // Scores of environments and differences are not counted by octave, and ratios of the waters give
@@ -63,7 +63,7 @@ double unseen_sum(const Octaves& octaves) {
     top += static_cast<double>(octaves[static_cast<std::size_t>(k)]);
     if (top < tail_scores) continue;
     const double index =
-        std::max(least_tail_index, std::log2(1 + (top + tail_scores) / (above + above_expected)));
+        std::max(min_tail_index, std::log2(1 + (top + tail_scores) / (above + above_expected)));
     const double exceeded_once = std::ldexp(std::pow(top, 1 / index), k - score_octaves);
     return exceeded_once / (1 - 1 / index);
   }
@@ -125,7 +125,7 @@ bool Totals::beam_missed(std::size_t cell) const {
   if (shape_->max_order == 1) return false;
   const Octaves& of_laser = kinds(cell)[kind_of(Walked::laser)];
   const Octaves& with_telescope = kinds(cell)[kind_of(Walked::both)];
-  if (scores_in(with_telescope) >= least_scores_with_telescope) return false;
+  if (scores_in(with_telescope) >= min_scores_with_telescope) return false;
   return sum_of(of_laser) + sum_of(with_telescope) > negligible_share * state_.echo[cell].low.x;
 }
 
@@ -137,7 +137,7 @@ Totals::Health Totals::health_of(const Sums& s, const Counted& n, double unseen)
   if (s.x == 0) return {no_score, 0, 0};
   Health health;
   health.relative_error = told_error(s, n, unseen) / mean(s, n);
-  health.raise(n.batches < least_batches, few_batches);
+  health.raise(n.batches < min_batches, few_batches);
   health.raise(health.relative_error > largest_relative_error, large_error);
   health.raise(heavy(unseen, error_of_sum(s, n), s.x), heavy_tail);
   return health;

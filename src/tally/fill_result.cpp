@@ -95,19 +95,28 @@ void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result)
 }
 
 void Totals::fill_parts(const ZeroedVector<Sums>& parts, const std::vector<Whole>& wholes,
-                        const std::vector<bool>& beside_walks, Estimates& out,
-                        std::vector<std::int32_t>& flags) const {
-  const std::size_t count = parts.size() / wholes.size();
+                        GridEstimates& out) const {
+  const auto& beside_walks = out.grid.beside_walks;
+  const std::size_t count = out.grid.size();
   for (std::size_t row = 0; row < shape_->rows(); ++row) {
     for (std::size_t k = 0; k < count; ++k) {
       for (std::size_t cell = row * shape_->gates; cell < (row + 1) * shape_->gates; ++cell) {
         const Sums& part = parts[cell * count + k];
         estimate(part, cell, wholes[cell].unseen_share * part.x, out);
-        flags.push_back(
+        out.flags.push_back(
             part_flags(part, cell, wholes[cell], k < beside_walks.size() && beside_walks[k]));
       }
     }
   }
+}
+
+void Totals::fill_profile(const ZeroedVector<Sums>& parts, const std::vector<Whole>& wholes,
+                          GridEstimates& out) const {
+  const std::size_t count = out.grid.size();
+  out.mean.reserve(parts.size());
+  out.standard_error.reserve(parts.size());
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    estimate(parts[k], k / count, wholes[k / count].unseen_share * parts[k].x, out);
 }
 
 void Totals::fill(Result& result) const {
@@ -124,16 +133,12 @@ void Totals::fill(Result& result) const {
     result.order_cut_share.push_back(x > 0 ? state_.cut_order[cell] / x : 0.0);
   }
   for (const Row& row : state_.row) result.channel_photons.push_back(row.photons);
-  fill_parts(state_.by_process, wholes, shape_->beside_walks, result.echo_by_process,
-             result.process_convergence_flags);
-  // No walk carries light that has been neither scattered nor converted.
-  fill_parts(state_.by_order, wholes, {true}, result.echo_by_order, result.order_convergence_flags);
-  result.echo_by_depth.mean.reserve(state_.by_depth.size());
-  result.echo_by_depth.standard_error.reserve(state_.by_depth.size());
-  for (std::size_t k = 0; k < state_.by_depth.size(); ++k) {
-    const std::size_t cell = k / shape_->depths;
-    estimate(state_.by_depth[k], cell, wholes[cell].unseen_share * state_.by_depth[k].x,
-             result.echo_by_depth);
+  for (std::size_t g = 0; g < shape_->grids.size(); ++g) {
+    GridEstimates& out = result.grids.emplace_back(GridEstimates{{}, shape_->grids[g], {}});
+    if (out.grid.profile)
+      fill_profile(state_.grids[g], wholes, out);
+    else
+      fill_parts(state_.grids[g], wholes, out);
   }
   const std::size_t parameters = result.parameter_value.size();
   expect(parameters <= shape_->environments, "every parameter has a tangent");
@@ -143,12 +148,7 @@ void Totals::fill(Result& result) const {
     fill_sensitivity(environments + p, result.parameter_value[p], result);
 
   const double per_photon = state_.photons > 0 ? 1.0 / static_cast<double>(state_.photons) : 0.0;
-  result.ledger = {
-      state_.ledger.absorbed * per_photon,      state_.ledger.escaped * per_photon,
-      state_.ledger.sea_bed * per_photon,       state_.ledger.oil * per_photon,
-      state_.ledger.cut_by_time * per_photon,   state_.ledger.cut_by_order * per_photon,
-      state_.ledger.cut_by_weight * per_photon, state_.ledger.roulette * per_photon,
-      state_.ledger.lost * per_photon};
+  result.ledger = state_.ledger * per_photon;
   result.ledger_standard_error =
       standard_error(state_.ledger_excess,
                      {static_cast<double>(state_.photons), static_cast<double>(state_.batches)});

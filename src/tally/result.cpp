@@ -1,5 +1,9 @@
 #include "tally/result.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
 namespace photic::tally {
 
 const std::vector<FlagMeaning>& flag_meanings() {
@@ -16,6 +20,16 @@ const std::vector<FlagMeaning>& flag_meanings() {
        "estimator"},
   };
   return meanings;
+}
+
+const GridEstimates& Result::grid(std::string_view name) const {
+  const auto found =
+      std::ranges::find(grids, name, [](const GridEstimates& g) { return g.grid.name; });
+  if (found == grids.end()) throw std::out_of_range("no grid " + std::string(name));
+  return *found;
+}
+GridEstimates& Result::grid(std::string_view name) {
+  return const_cast<GridEstimates&>(std::as_const(*this).grid(name));
 }
 
 }  // namespace photic::tally

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/zeroed.hpp"
+#include "tally/grid.hpp"
 #include "tally/state.hpp"
 
 namespace photic::tally {
@@ -16,6 +18,13 @@ namespace photic::tally {
 struct Estimates {
   ZeroedVector<double> mean;            ///< expected photons detected per photon emitted
   ZeroedVector<double> standard_error;  ///< of the mean; the same length
+};
+
+/// Estimates on a grid of a tally; its flags, [telescope][channel][cell of the grid][gate], are
+/// none for a profile, whose estimates are [telescope][channel][gate][cell of the grid].
+struct GridEstimates : Estimates {
+  Grid grid;
+  std::vector<std::int32_t> flags;
 };
 
 /// Why an echo is not converged: bits of Result::convergence_flags (docs/theory.md, "Error bars").
@@ -37,29 +46,23 @@ const std::vector<FlagMeaning>& flag_meanings();
 
 struct Result {
   // Axes.
-  std::vector<std::string> telescope_name, channel_name, process_name;
+  std::vector<std::string> telescope_name, channel_name;
   std::vector<double> channel_wavelength_nm;  ///< mean over the light it counts
   /// Of scenes with a film of oil, [telescope][channel]: its absorption on the way down and up, per
   /// thickness, and what passes a clear film of what passes bare water (medium/film.hpp).
   std::vector<double> film_attenuation_per_m, film_interface_ratio;
-  std::int64_t orders = 0;                ///< so many: 0, 1, … and the last one and above
   std::vector<double> gate_time_edge_ns;  ///< gates + 1
   /// [telescope][channel][gates + 1]: depth of first-order light, or range; NaN where a telescope
   /// has none.
   std::vector<double> gate_depth_edge_m;
   bool gate_depth_is_range = false;  ///< along the axis of each telescope
-  std::vector<double> depth_edge_m;  ///< depths + 1: of the last scattering; empty: not tallied
 
   // What was tallied.
   Estimates echo;                               ///< [telescope][channel][gate]
-  Estimates echo_by_process;                    ///< [telescope][channel][process][gate]
-  Estimates echo_by_order;                      ///< [telescope][channel][order][gate]
-  Estimates echo_by_depth;                      ///< [telescope][channel][gate][depth]
+  std::vector<GridEstimates> grids;             ///< of Shape::grids
   std::vector<std::int32_t> convergence_flags;  ///< [telescope][channel][gate]; 0: converged
-  std::vector<std::int32_t> process_convergence_flags;  ///< of echo_by_process
-  std::vector<std::int32_t> order_convergence_flags;    ///< of echo_by_order
-  std::vector<double> largest_score_share;              ///< [telescope][channel][gate] of the echo
-  std::vector<double> variance_of_variance;             ///< [telescope][channel][gate]
+  std::vector<double> largest_score_share;      ///< [telescope][channel][gate] of the echo
+  std::vector<double> variance_of_variance;     ///< [telescope][channel][gate]
   std::vector<double> error_growth;  ///< [telescope][channel][gate]: of error * sqrt(photons), over
                                      ///< the last factor of 4 to 8 in photons; NaN of short runs
   std::vector<double>
@@ -109,9 +112,14 @@ struct Result {
   [[nodiscard]] std::size_t telescopes() const { return telescope_name.size(); }
   [[nodiscard]] std::size_t channels() const { return channel_name.size(); }
   [[nodiscard]] std::size_t gates() const { return gate_time_edge_ns.size() - 1; }
-  [[nodiscard]] std::size_t depths() const {
-    return depth_edge_m.empty() ? 0 : depth_edge_m.size() - 1;
+  /// Throws std::out_of_range for one that there is not.
+  [[nodiscard]] const GridEstimates& grid(std::string_view name) const;
+  [[nodiscard]] GridEstimates& grid(std::string_view name);
+  [[nodiscard]] const std::vector<std::string>& process_names() const {
+    return grid("echo_by_process").grid.axes.front().labels;
   }
+  /// So many: 0, 1, … and the last one and above.
+  [[nodiscard]] std::size_t orders() const { return grid("echo_by_order").grid.size(); }
   /// The depth or range [m] in the middle of a gate; NaN where the telescope has none.
   [[nodiscard]] double gate_depth_m(std::size_t telescope, std::size_t channel,
                                     std::size_t gate) const {

@@ -1,12 +1,15 @@
 // The extents of the tallies and where a score belongs.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "tally/decay.hpp"
+#include "tally/grid.hpp"
 
 namespace photic::tally {
 
@@ -18,22 +21,26 @@ struct Counting {
 
 /// Immutable; shared by all batches.
 struct Shape {
-  /// Orders count from 0: light that has been neither scattered nor converted.
-  std::size_t telescopes = 0, channels = 0, processes = 0, orders = 0, gates = 0, depths = 0,
-              environments = 0;
+  std::size_t telescopes = 0, channels = 0, gates = 0, environments = 0;
+  /// Each holds what of an echo is within its axes; the first one, by order, all of it.
+  std::vector<Grid> grids;
   /// Kinds that scores are counted apart for: kinds_of_walked, or 1 of an estimator without walks.
   std::size_t walked = 1;
   std::vector<std::vector<Counting>> channels_of_line;  ///< that count a line's light
-  /// Index in the result's process axis, of each light: a line that has touched something
+  /// Index in the axis of processes, of each light: a line that has touched something
   /// (transport::Touched), [touched][line].
   std::vector<std::int32_t> process_of_light;
-  std::vector<bool> beside_walks;            ///< [process] whose light no walk carries
-  std::vector<Decay> decay_of_line;          ///< empty if all lines are emitted at once
-  std::int32_t max_order = 0;                ///< 0: none; order max_order + 1 is what is cut off
-  double depth_min = 0, per_depth_step = 1;  ///< of the depths, if there are any
+  std::vector<Decay> decay_of_line;  ///< empty if all lines are emitted at once
+  std::int32_t max_order = 0;        ///< 0: none; order max_order + 1 is what is cut off
   /// Of each telescope the next wider one, whose view holds its own; empty if no views nest.
   std::vector<std::optional<std::size_t>> wider;
 
+  [[nodiscard]] Grid& grid(std::string_view name) {
+    return *std::ranges::find(grids, name, &Grid::name);
+  }
+  [[nodiscard]] const Grid& grid(std::string_view name) const {
+    return *std::ranges::find(grids, name, &Grid::name);
+  }
   /// Rows of gates: a channel of a telescope each.
   [[nodiscard]] std::size_t rows() const { return telescopes * channels; }
   [[nodiscard]] std::size_t cells() const { return rows() * gates; }

@@ -28,13 +28,12 @@ TailSums::Moments TailSums::central(double all_photons) const {
 TotalsState::TotalsState(const Shape& shape)
     : row(shape.rows()),
       echo(shape.cells()),
-      by_order(shape.cells() * shape.orders),
-      by_process(shape.cells() * shape.processes),
-      by_depth(shape.cells() * shape.depths),
       cut_order(shape.cells()),
       largest(shape.cells()),
       octaves(shape.cells() * shape.walked),
-      environment(shape.cells() * shape.environments) {}
+      environment(shape.cells() * shape.environments) {
+  for (const Grid& grid : shape.grids) grids.emplace_back(shape.cells() * grid.size());
+}
 
 std::size_t snapshots_at(std::uint64_t batches) {
   return static_cast<std::size_t>(std::bit_width(batches));

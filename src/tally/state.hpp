@@ -13,34 +13,51 @@ namespace photic::tally {
 
 struct Shape;
 
-/// Where the weight of the emitted photons went.
-struct Ledger {
-  double absorbed = 0;  ///< in the water, and not emitted again
-  double escaped =
-      0;  ///< through the surface (what a telescope detects is part of it) or never in the water
-  double sea_bed = 0;        ///< absorbed by the sea bed
-  double oil = 0;            ///< absorbed in a film of oil, and not emitted again out of it
-  double cut_by_time = 0;    ///< could no longer come back within the last gate
-  double cut_by_order = 0;   ///< ended at max_order
-  double cut_by_weight = 0;  ///< ended below the weight threshold
-  double roulette = 0;  ///< killed less gained by Russian roulette and splitting; 0 in expectation
-  double lost = 0;      ///< too many events, or a number that is not finite
+/// Where the weight of the emitted photons went, in accounts: doubles, or a sum for each lane.
+template <class Account>
+struct Accounts {
+  Account absorbed{};  ///< in the water, and not emitted again
+  /// Through the surface (what a telescope detects is part of it) or never in the water.
+  Account escaped{};
+  Account sea_bed{};        ///< absorbed by the sea bed
+  Account oil{};            ///< absorbed in a film of oil, and not emitted again out of it
+  Account cut_by_time{};    ///< could no longer come back within the last gate
+  Account cut_by_order{};   ///< ended at max_order
+  Account cut_by_weight{};  ///< ended below the weight threshold
+  Account roulette{};  ///< killed less gained by Russian roulette and splitting; 0 in expectation
+  Account lost{};      ///< too many events, or a number that is not finite
+
+  /// Calls f(name, account of each) for all accounts of some.
+  template <class F, class... Of>
+  static void each(F f, Of&... of) {
+    f("absorbed", of.absorbed...);
+    f("escaped", of.escaped...);
+    f("sea_bed", of.sea_bed...);
+    f("oil", of.oil...);
+    f("cut_by_time", of.cut_by_time...);
+    f("cut_by_order", of.cut_by_order...);
+    f("cut_by_weight", of.cut_by_weight...);
+    f("roulette", of.roulette...);
+    f("lost", of.lost...);
+  }
+  friend bool operator==(const Accounts&, const Accounts&) = default;
+};
+
+struct Ledger : Accounts<double> {
   [[nodiscard]] double sum() const {
-    return absorbed + escaped + sea_bed + oil + cut_by_time + cut_by_order + cut_by_weight +
-           roulette + lost;
+    double out = 0;
+    each([&](const char*, double account) { out += account; }, *this);
+    return out;
+  }
+  Ledger& operator+=(const Ledger& other) {
+    each([](const char*, double& mine, double theirs) { mine += theirs; }, *this, other);
+    return *this;
+  }
+  friend Ledger operator*(Ledger ledger, double factor) {
+    each([&](const char*, double& account) { account *= factor; }, ledger);
+    return ledger;
   }
   friend bool operator==(const Ledger&, const Ledger&) = default;
-  friend Ledger operator+(const Ledger& a, const Ledger& b) {
-    return {a.absorbed + b.absorbed,
-            a.escaped + b.escaped,
-            a.sea_bed + b.sea_bed,
-            a.oil + b.oil,
-            a.cut_by_time + b.cut_by_time,
-            a.cut_by_order + b.cut_by_order,
-            a.cut_by_weight + b.cut_by_weight,
-            a.roulette + b.roulette,
-            a.lost + b.lost};
-  }
 };
 
 /// Power sums of the batches' scores in one cell. A batch of n photons that scored X enters as X
@@ -120,17 +137,15 @@ struct TotalsState {
 
   std::uint64_t photons = 0, batches = 0, collisions = 0, scores = 0, too_many_events = 0,
                 not_finite = 0;
-  Ledger ledger;                  ///< sums of weights
-  Sums ledger_excess;             ///< over the batches: of all in their ledgers less their photons
-  std::vector<Row> row;           ///< [row]
-  double resting_target = 0;      ///< relative error that rows rest at; 0: none does
-  std::vector<TailSums> echo;     ///< [cell]
-  ZeroedVector<Sums> by_order;    ///< [cell][order]
-  ZeroedVector<Sums> by_process;  ///< [cell][process]
-  ZeroedVector<Sums> by_depth;    ///< [cell][depth]
-  std::vector<double> cut_order;  ///< [cell] first order beyond max_order
-  std::vector<double> largest;    ///< [cell] largest single score
-  ZeroedVector<Octaves> octaves;  ///< [cell][kind]
+  Ledger ledger;               ///< sums of weights
+  Sums ledger_excess;          ///< over the batches: of all in their ledgers less their photons
+  std::vector<Row> row;        ///< [row]
+  double resting_target = 0;   ///< relative error that rows rest at; 0: none does
+  std::vector<TailSums> echo;  ///< [cell]
+  std::vector<ZeroedVector<Sums>> grids;      ///< of each grid, [cell][cell of the grid]
+  std::vector<double> cut_order;              ///< [cell] first order beyond max_order
+  std::vector<double> largest;                ///< [cell] largest single score
+  ZeroedVector<Octaves> octaves;              ///< [cell][kind]
   ZeroedVector<EnvironmentSums> environment;  ///< [cell][environment]
   // The echo when there were 2^k batches, one snapshot after the other.
   std::vector<double> snapshot_photons, snapshot_batches;  ///< [snapshot][row]

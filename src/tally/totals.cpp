@@ -19,10 +19,10 @@ double environment_echo(double echo, double difference, double scored) {
 bool fits(const TotalsState& state, const Shape& shape) {
   const std::size_t cells = shape.cells(), snapshots = snapshots_at(state.batches);
   return state.row.size() == shape.rows() && state.echo.size() == cells &&
-         state.by_order.size() == cells * shape.orders &&
-         state.by_process.size() == cells * shape.processes &&
-         state.by_depth.size() == cells * shape.depths && state.cut_order.size() == cells &&
-         state.largest.size() == cells && state.octaves.size() == cells * shape.walked &&
+         std::ranges::equal(state.grids, shape.grids, {}, &ZeroedVector<Sums>::size,
+                            [&](const Grid& grid) { return cells * grid.size(); }) &&
+         state.cut_order.size() == cells && state.largest.size() == cells &&
+         state.octaves.size() == cells * shape.walked &&
          state.environment.size() == cells * shape.environments &&
          state.snapshot_photons.size() == snapshots * shape.rows() &&
          state.snapshot_batches.size() == snapshots * shape.rows() &&
@@ -35,42 +35,50 @@ Totals::Totals(const Shape& shape, TotalsState state) : shape_(&shape), state_(s
   expect(fits(state_, shape), "totals go on from a state of their own shape");
 }
 
+void Totals::merge_cell(const BatchTally& batch, std::size_t cell) {
+  const auto n = static_cast<double>(batch.photons);
+  double echo = 0;
+  const double* part = &batch.parts[cell * batch.parts_size];
+  for (std::size_t g = 0; g < shape_->grids.size(); ++g) {
+    if (shape_->grids[g].profile) continue;
+    const std::size_t size = shape_->grids[g].size();
+    for (std::size_t k = cell * size; k < (cell + 1) * size; ++k, ++part) {
+      if (g == 0) echo += *part;
+      if (*part > 0) state_.grids[g][k].add(*part, n);
+    }
+  }
+  state_.echo[cell].add(echo, n);
+  const CellScores& scores = batch.cells[cell];
+  state_.cut_order[cell] += scores.cut_order;
+  state_.largest[cell] = std::max(state_.largest[cell], scores.largest);
+  std::uint64_t rest = scores.scores;
+  for (auto k = static_cast<std::size_t>(score_octave(scores.largest)); rest > 0; --k) {
+    for (std::size_t kind = 0; kind < kinds_of_walked; ++kind) {
+      const std::size_t row = std::min(kind, shape_->walked - 1);
+      const std::uint32_t count = batch.octaves[kind][cell][k];
+      state_.octaves[cell * shape_->walked + row][k] += count;
+      rest -= count;
+    }
+  }
+  merge_environments(batch, cell, echo);
+}
+
+void Totals::merge_row(const BatchTally& batch, std::size_t row) {
+  const auto n = static_cast<double>(batch.photons);
+  for (const std::uint32_t cell : batch.touched_cells[row]) merge_cell(batch, cell);
+  for (std::size_t g = 0; g < shape_->grids.size(); ++g) {
+    if (!shape_->grids[g].profile) continue;
+    for (const std::uint32_t k : batch.profile.touched[row])
+      state_.grids[g][k].add(batch.profile.sums[k], n);
+  }
+  state_.row[row].photons += batch.photons;
+  ++state_.row[row].batches;
+}
+
 void Totals::merge(const BatchTally& batch) {
   const auto n = static_cast<double>(batch.photons);
-  for (const std::uint32_t cell : batch.touched_cells) {
-    if (batch.rests[shape_->row_of(cell)]) continue;
-    double echo = 0;
-    for (std::size_t o = cell * shape_->orders; o < (cell + 1) * shape_->orders; ++o) {
-      echo += batch.by_order[o];
-      if (batch.by_order[o] > 0) state_.by_order[o].add(batch.by_order[o], n);
-    }
-    for (std::size_t p = cell * shape_->processes; p < (cell + 1) * shape_->processes; ++p) {
-      if (batch.by_process[p] > 0) state_.by_process[p].add(batch.by_process[p], n);
-    }
-    state_.echo[cell].add(echo, n);
-    const CellScores& scores = batch.cells[cell];
-    state_.cut_order[cell] += scores.cut_order;
-    state_.largest[cell] = std::max(state_.largest[cell], scores.largest);
-    std::uint64_t rest = scores.scores;
-    for (auto k = static_cast<std::size_t>(score_octave(scores.largest)); rest > 0; --k) {
-      for (std::size_t kind = 0; kind < kinds_of_walked; ++kind) {
-        const std::size_t row = std::min(kind, shape_->walked - 1);
-        const std::uint32_t count = batch.octaves[kind][cell][k];
-        state_.octaves[cell * shape_->walked + row][k] += count;
-        rest -= count;
-      }
-    }
-    merge_environments(batch, cell, echo);
-  }
-  for (const std::uint32_t k : batch.touched_depths) {
-    if (!batch.rests[shape_->row_of(k / shape_->depths)])
-      state_.by_depth[k].add(batch.by_depth[k], n);
-  }
-  for (std::size_t r = 0; r < state_.row.size(); ++r) {
-    if (batch.rests[r]) continue;
-    state_.row[r].photons += batch.photons;
-    ++state_.row[r].batches;
-  }
+  for (std::size_t row = 0; row < state_.row.size(); ++row)
+    if (!batch.rests[row]) merge_row(batch, row);
 
   state_.photons += batch.photons;
   ++state_.batches;
@@ -79,15 +87,7 @@ void Totals::merge(const BatchTally& batch) {
   state_.too_many_events += batch.too_many_events;
   state_.not_finite += batch.not_finite;
   state_.ledger_excess.add(batch.ledger.sum() - n, n);
-  state_.ledger.absorbed += batch.ledger.absorbed;
-  state_.ledger.escaped += batch.ledger.escaped;
-  state_.ledger.sea_bed += batch.ledger.sea_bed;
-  state_.ledger.oil += batch.ledger.oil;
-  state_.ledger.cut_by_time += batch.ledger.cut_by_time;
-  state_.ledger.cut_by_order += batch.ledger.cut_by_order;
-  state_.ledger.cut_by_weight += batch.ledger.cut_by_weight;
-  state_.ledger.roulette += batch.ledger.roulette;
-  state_.ledger.lost += batch.ledger.lost;
+  state_.ledger += batch.ledger;
 
   if (std::has_single_bit(state_.batches)) {
     for (const Row& row : state_.row) {

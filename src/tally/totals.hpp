@@ -61,6 +61,9 @@ class Totals {
   [[nodiscard]] TotalsState state() && { return std::move(state_); }
 
  private:
+  /// Adds all that a batch scored in a row.
+  void merge_row(const BatchTally& batch, std::size_t row);
+  void merge_cell(const BatchTally& batch, std::size_t cell);
   /// What a batch scored in the environments of a cell whose echo in the scene is given.
   void merge_environments(const BatchTally& batch, std::size_t cell, double echo);
   /// As all_converged, of a row's cells.
@@ -93,11 +96,11 @@ class Totals {
   /// Bits of ConvergenceFlag of a part. beside_walks: no walk carries its light.
   [[nodiscard]] std::int32_t part_flags(const Sums& part, std::size_t cell, const Whole& whole,
                                         bool beside_walks) const;
-  /// Estimates and flags, [row][part][gate], of parts, [cell][part]. beside_walks: [part]; no
-  /// further one is.
+  /// Of a grid: parts, with flags, [row][part][gate], or a profile, [cell][part].
   void fill_parts(const ZeroedVector<Sums>& parts, const std::vector<Whole>& wholes,
-                  const std::vector<bool>& beside_walks, Estimates& out,
-                  std::vector<std::int32_t>& flags) const;
+                  GridEstimates& out) const;
+  void fill_profile(const ZeroedVector<Sums>& parts, const std::vector<Whole>& wholes,
+                    GridEstimates& out) const;
   void fill_environment(std::size_t environment, Result& result) const;
   /// Of a parameter's value in the scene; `tangent` counts from the first environment.
   void fill_sensitivity(std::size_t tangent, double value, Result& result) const;

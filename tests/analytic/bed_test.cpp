@@ -78,9 +78,9 @@ TEST(SeaBed, ReflectsWhatTheLidarEquationSays) {
       EXPECT_NEAR(r.echo.mean[1] / expected(bed), 1, std::min(1e-3, 3.5 * error + 5e-5));
       EXPECT_EQ(r.echo.mean[0], 0);
       EXPECT_EQ(r.echo.mean[2], 0);
-      EXPECT_EQ(r.process_name, (std::vector<std::string>{"elastic", "bottom"}));
-      EXPECT_EQ(r.echo_by_process.mean[r.gates() + 1], r.echo.mean[1]);
-      EXPECT_EQ(r.echo_by_order.mean[r.gates() + 1], r.echo.mean[1]);
+      EXPECT_EQ(r.process_names(), (std::vector<std::string>{"elastic", "bottom"}));
+      EXPECT_EQ(r.grid("echo_by_process").mean[r.gates() + 1], r.echo.mean[1]);
+      EXPECT_EQ(r.grid("echo_by_order").mean[r.gates() + 1], r.echo.mean[1]);
     }
   }
 }

@@ -175,7 +175,8 @@ TEST(Agreement, BitsDoNotDependOnInstructions) {
     const auto anywhere = run_in<double>(scene, 2);
     EXPECT_GT(here.echo.mean.front(), 0);
     EXPECT_EQ(here.echo.mean, anywhere.echo.mean);
-    EXPECT_EQ(here.echo_by_order.standard_error, anywhere.echo_by_order.standard_error);
+    EXPECT_EQ(here.grid("echo_by_order").standard_error,
+              anywhere.grid("echo_by_order").standard_error);
     EXPECT_EQ(here.ledger.absorbed, anywhere.ledger.absorbed);
   }
 }
@@ -192,8 +193,8 @@ TEST(Agreement, BitsDoNotDependOnThreads) {
     EXPECT_EQ(one.photons, other.photons);
     EXPECT_EQ(one.echo.mean, other.echo.mean);
     EXPECT_EQ(one.echo.standard_error, other.echo.standard_error);
-    EXPECT_EQ(one.echo_by_order.standard_error, other.echo_by_order.standard_error);
-    EXPECT_EQ(one.echo_by_depth.mean, other.echo_by_depth.mean);
+    EXPECT_EQ(one.grid("echo_by_order").standard_error, other.grid("echo_by_order").standard_error);
+    EXPECT_EQ(one.grid("echo_by_depth").mean, other.grid("echo_by_depth").mean);
     EXPECT_EQ(one.convergence_flags, other.convergence_flags);
     EXPECT_EQ(one.ledger.absorbed, other.ledger.absorbed);
   }

@@ -61,8 +61,8 @@ TEST(Air, OfTheWatersIndexIsAsLayersOfWater) {
       const auto sunk = run_in_lanes(
           read(lidar(-1e-6, tilt) + in_water + channels + simulation(photons, 2, "", estimator)));
       ZFamily family(0.01);
-      const auto& a = air.echo_by_order;
-      const auto& w = sunk.echo_by_order;
+      const auto& a = air.grid("echo_by_order");
+      const auto& w = sunk.grid("echo_by_order");
       for (std::size_t i = 0; i < a.mean.size(); ++i) {
         const double error = std::hypot(a.standard_error[i], w.standard_error[i]);
         if (error < 0.08 * w.mean[i])
@@ -146,7 +146,7 @@ TEST(Air, SendsLightBothWaysAlike) {
   const double solid_angles = (1 - std::cos(0.2)) / (1 - std::cos(0.3));
   constexpr double by_lens = 0.01;  // which has less area aslant
   auto down = run_with(false);
-  for (auto* echo : {&down.echo_by_process, &down.echo_by_order})
+  for (auto* echo : {&down.grid("echo_by_process"), &down.grid("echo_by_order")})
     for (std::size_t i = 0; i < echo->mean.size(); ++i) {
       const double error = solid_angles * echo->standard_error[i];
       echo->mean[i] *= solid_angles;
@@ -163,10 +163,11 @@ void expect_of_air(const tally::Result& r, const std::vector<double>& expected,
   for (std::size_t g = 0; g < expected.size(); ++g) {
     const std::size_t i = order * r.gates() + g;
     // The equations have the lens at one distance, and hardly any air in the near field.
-    family.add(r.echo_by_order.mean[i], expected[g],
-               std::hypot(r.echo_by_order.standard_error[i], 1e-3 * expected[g]),
+    family.add(r.grid("echo_by_order").mean[i], expected[g],
+               std::hypot(r.grid("echo_by_order").standard_error[i], 1e-3 * expected[g]),
                fmt::format("{}, gate {}", what, g));
-    EXPECT_LT(r.echo_by_order.standard_error[i], 0.05 * expected[g]) << what << ", gate " << g;
+    EXPECT_LT(r.grid("echo_by_order").standard_error[i], 0.05 * expected[g])
+        << what << ", gate " << g;
   }
   family.judge();
 }
@@ -239,11 +240,12 @@ TEST(Air, WeakensAndDelaysTheSeasEcho) {
     ZFamily family(0.01);
     for (std::size_t g = 0; g < clear.gates(); ++g) {  // process 0: elastic
       const double expected = passes * clear.echo.mean[g];
-      family.add(
-          dim.echo_by_process.mean[g], expected,
-          std::hypot(dim.echo_by_process.standard_error[g], passes * clear.echo.standard_error[g]),
-          fmt::format("{}, gate {}", estimator, g));
-      EXPECT_LT(dim.echo_by_process.standard_error[g], most * expected) << estimator << " " << g;
+      family.add(dim.grid("echo_by_process").mean[g], expected,
+                 std::hypot(dim.grid("echo_by_process").standard_error[g],
+                            passes * clear.echo.standard_error[g]),
+                 fmt::format("{}, gate {}", estimator, g));
+      EXPECT_LT(dim.grid("echo_by_process").standard_error[g], most * expected)
+          << estimator << " " << g;
     }
     family.judge();
   }
@@ -295,10 +297,10 @@ TEST(Air, LightThatTheSeaMirrorsComesWithTheSurfacesGate) {
       const auto r = run_in_lanes(read(lidar(height, 0, view, 0.7 * view) + haze + sea +
                                        simulation(photons, 9, "", estimator)));
       const std::size_t air = r.gates();  // behind elastic light
-      EXPECT_GT(r.echo_by_process.mean[air + 1], 0) << height;
+      EXPECT_GT(r.grid("echo_by_process").mean[air + 1], 0) << height;
       // What the air there sends back itself is less.
       const double most = height > 1000 ? 2e-4 : 0.02;
-      EXPECT_LT(r.echo_by_process.mean[air], most * r.echo_by_process.mean[air + 1])
+      EXPECT_LT(r.grid("echo_by_process").mean[air], most * r.grid("echo_by_process").mean[air + 1])
           << estimator << ", " << height;
     }
 }

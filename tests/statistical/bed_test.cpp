@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "support/ledger.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
 
@@ -44,9 +43,9 @@ TEST(SeaBed, OfAlbedo0IsTheBlackOne) {
     const auto black = run_over("", e), zero = run_over("[bottom]\nalbedo = 0\n", e);
     EXPECT_EQ(zero.echo.mean, black.echo.mean);
     EXPECT_EQ(zero.echo.standard_error, black.echo.standard_error);
-    EXPECT_EQ(zero.echo_by_order.mean, black.echo_by_order.mean);
+    EXPECT_EQ(zero.grid("echo_by_order").mean, black.grid("echo_by_order").mean);
     EXPECT_EQ(zero.ledger, black.ledger);
-    EXPECT_EQ(zero.process_name, black.process_name);
+    EXPECT_EQ(zero.process_names(), black.process_names());
     EXPECT_GT(black.ledger.sea_bed, 0.01);
   }
 }
@@ -58,7 +57,7 @@ TEST(SeaBed, LosesNoPhotons) {
   for (const Estimator& e : {undirected, estimators[1], estimators[2]}) {
     SCOPED_TRACE(e.name);
     const auto black = run_over("", e), bright = run_over("[bottom]\nalbedo = 0.6\n", e);
-    EXPECT_NEAR(sum_of(bright.ledger), 1, 4 * bright.ledger_standard_error + 1e-9);
+    EXPECT_NEAR(bright.ledger.sum(), 1, 4 * bright.ledger_standard_error + 1e-9);
     EXPECT_LT(bright.ledger_standard_error, 0.01);
     EXPECT_LT(bright.ledger.sea_bed, 0.6 * black.ledger.sea_bed);
     EXPECT_GT(bright.ledger.sea_bed, 0.2 * black.ledger.sea_bed);
@@ -71,7 +70,7 @@ TEST(SeaBed, IsSeenByConvertedLight) {
   for (const Estimator& e : {Estimator{"forward", 1e6, ""}, {"bidirectional", 1e5, ""}}) {
     SCOPED_TRACE(e.name);
     const auto black = run_over("", e), bright = run_over("[bottom]\nalbedo = 0.6\n", e);
-    ASSERT_EQ(bright.process_name, (std::vector<std::string>{"elastic", "bottom", "raman"}));
+    ASSERT_EQ(bright.process_names(), (std::vector<std::string>{"elastic", "bottom", "raman"}));
     const std::size_t raman = black.gates();
     const auto brighter = [&](std::size_t gate) {
       return bright.echo.mean[raman + gate] / black.echo.mean[raman + gate];
@@ -80,8 +79,9 @@ TEST(SeaBed, IsSeenByConvertedLight) {
     EXPECT_GT(brighter(2), 1.03);
     EXPECT_GT(brighter(3), 5);
     for (std::size_t gate = 0; gate < bright.gates(); ++gate) {
-      const std::size_t of_raman = (bright.process_name.size() + 2) * bright.gates() + gate;
-      EXPECT_NEAR(bright.echo_by_process.mean[of_raman] / bright.echo.mean[raman + gate], 1, 1e-12);
+      const std::size_t of_raman = (bright.process_names().size() + 2) * bright.gates() + gate;
+      EXPECT_NEAR(bright.grid("echo_by_process").mean[of_raman] / bright.echo.mean[raman + gate], 1,
+                  1e-12);
     }
   }
 }

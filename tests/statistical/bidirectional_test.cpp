@@ -18,7 +18,7 @@ namespace {
 struct Case {
   std::string name, scene;
   double forward_photons, bidirectional_photons;
-  std::size_t least_gates, least_orders;  ///< that must be compared
+  std::size_t min_gates, min_orders;  ///< that must be compared
 };
 
 tally::Result simulate(const Case& c, const std::string& estimator, double photons,
@@ -51,12 +51,13 @@ void compare(const tally::Result& a, const tally::Result& b, Compared& out) {
       for (std::size_t k = 0; k < count; ++k)
         parts.push_back((i / a.gates() * count + k) * a.gates() + i % a.gates());
     };
-    add(by_order, static_cast<std::size_t>(a.orders));
-    if (a.process_name.size() > 1) add(by_process, a.process_name.size());
+    add(by_order, a.orders());
+    if (a.process_names().size() > 1) add(by_process, a.process_names().size());
   }
   add_all(out.gates, a.echo, b.echo, cells, "cell");
-  add_all(out.orders, a.echo_by_order, b.echo_by_order, by_order, "order");
-  add_all(out.processes, a.echo_by_process, b.echo_by_process, by_process, "process");
+  add_all(out.orders, a.grid("echo_by_order"), b.grid("echo_by_order"), by_order, "order");
+  add_all(out.processes, a.grid("echo_by_process"), b.grid("echo_by_process"), by_process,
+          "process");
 }
 
 std::string inelastic_water(double a_per_m, const std::string& phase, double bottom_m) {
@@ -108,8 +109,8 @@ TEST_P(Estimators, AgreeInEveryGateOrderAndProcess) {
   std::printf("%s: %zu gates, rms z %.2f; %zu orders, rms z %.2f; %zu processes, rms z %.2f\n",
               c.name.c_str(), compared.gates.size(), compared.gates.rms(), compared.orders.size(),
               compared.orders.rms(), compared.processes.size(), compared.processes.rms());
-  EXPECT_GE(compared.gates.size(), c.least_gates);
-  EXPECT_GE(compared.orders.size(), c.least_orders);
+  EXPECT_GE(compared.gates.size(), c.min_gates);
+  EXPECT_GE(compared.orders.size(), c.min_orders);
   compared.gates.judge();
   compared.orders.judge();
   if (compared.processes.size() > 0) compared.processes.judge();
@@ -228,8 +229,8 @@ void expect_same_echo(const std::string& one, const std::string& other, const Ca
   const auto b = simulate(c, "bidirectional", c.bidirectional_photons, other, 18);
   Compared compared;
   compare(a, b, compared);
-  EXPECT_GE(compared.gates.size(), c.least_gates);
-  EXPECT_GE(compared.orders.size(), c.least_orders);
+  EXPECT_GE(compared.gates.size(), c.min_gates);
+  EXPECT_GE(compared.orders.size(), c.min_orders);
   compared.gates.judge();
   compared.orders.judge();
 }
@@ -292,17 +293,16 @@ TEST(Bidirectional, WalksOfTwoVertices) {
     return scene + simulation(1e6, seed, "max_order = 3", "bidirectional");
   };
   const auto capped =
-      simulate_in(up_to_third_order(3), [](auto& world) { world.most_vertices = 2; });
+      simulate_in(up_to_third_order(3), [](auto& world) { world.max_vertices = 2; });
   const auto whole = run_in_lanes(read(up_to_third_order(4)));
   std::vector<std::size_t> finite;
-  for (std::size_t i = 0; i < capped.echo_by_order.mean.size(); ++i) {
-    const std::size_t row = i / capped.gates(),
-                      order = row % static_cast<std::size_t>(capped.orders);
-    const bool elastic = row / static_cast<std::size_t>(capped.orders) == 0;
+  for (std::size_t i = 0; i < capped.grid("echo_by_order").mean.size(); ++i) {
+    const std::size_t row = i / capped.gates(), order = row % capped.orders();
+    const bool elastic = row / capped.orders() == 0;
     if (order <= (elastic ? 3U : 2U)) finite.push_back(i);
   }
   ZFamily orders(0.01);
-  add_all(orders, capped.echo_by_order, whole.echo_by_order, finite, "order");
+  add_all(orders, capped.grid("echo_by_order"), whole.grid("echo_by_order"), finite, "order");
   std::printf("%zu orders, rms z %.2f\n", orders.size(), orders.rms());
   EXPECT_GE(orders.size(), 32U);
   orders.judge();
@@ -366,7 +366,7 @@ TEST(Reception, OfSingleRaysIsExactAndOfTheOverlapIsNot) {
                                 double photons) {
     const auto r = run_in_lanes(read(scene + simulation(photons, 5, more, estimator)));
     const auto at = 2 * r.gates() + 1;  // order 2, 4 to 8 m
-    return std::pair{r.echo_by_order.mean[at], r.echo_by_order.standard_error[at]};
+    return std::pair{r.grid("echo_by_order").mean[at], r.grid("echo_by_order").standard_error[at]};
   };
   const auto [exact, exact_error] = second_order("bidirectional", "", 4e5);
   const auto [rays, rays_error] = second_order("forward", "reception = \"ray\"", 6e6);

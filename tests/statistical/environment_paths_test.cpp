@@ -141,7 +141,7 @@ TEST_P(EnvironmentPaths, AreAsManyTimesScattered) {
   auto water = three_waters(0), other = three_waters(0, times_b);
   const auto result = run_with(GetParam(), water, other, "max_order = 3\n");
   const std::size_t gates = result.gates();
-  const double most_excess = (times_b - 1) * 0.40;
+  const double max_excess = (times_b - 1) * 0.40;
   std::size_t seen = 0;
   for (std::size_t i = 0; i < result.echo.mean.size(); ++i) {
     if (result.echo.mean[i] == 0) continue;
@@ -151,7 +151,7 @@ TEST_P(EnvironmentPaths, AreAsManyTimesScattered) {
     const bool elastic = i / gates % 3 == 0;
     EXPECT_LE(ratio, std::pow(times_b, elastic ? 3 : 2) * (1 + 1e-4)) << i;
     EXPECT_GE(ratio, std::pow(times_b, elastic ? 1 : 0) *
-                         std::exp(-most_excess * path / group_index) * (1 - 1e-4))
+                         std::exp(-max_excess * path / group_index) * (1 - 1e-4))
         << i;
     ++seen;
   }

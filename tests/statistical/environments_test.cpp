@@ -228,10 +228,10 @@ TEST(EnvironmentOf, DifferencesScatterAsTheySay) {
 struct Coverage {
   double covered = 0, known = 0, all = 0;
   /// That they do, and that flags leave a share of all gates.
-  void expect(const std::string& what, double least_known) const {
+  void expect(const std::string& what, double min_known) const {
     std::printf("%s: of %.0f gates %.0f are not flagged; %.1f %% of these intervals cover\n",
                 what.c_str(), all, known, 100 * covered / known);
-    EXPECT_GE(known, least_known * all) << what;
+    EXPECT_GE(known, min_known * all) << what;
     EXPECT_GE(covered, 0.88 * known) << what;
     EXPECT_LE(covered, 0.99 * known) << what;
   }
@@ -240,7 +240,7 @@ struct Coverage {
 // Strongly changed water is right, or flagged: 95 % intervals cover what a run of its own finds.
 // Seen red: with free paths no shorter than in the clearest of all (59 of 400 gates known).
 void expect_strong_changes_covered(const std::string& estimator, double photons, double g,
-                                   std::uint64_t seeds, double least_known) {
+                                   std::uint64_t seeds, double min_known) {
   const auto scene = [&](double times, double n, std::uint64_t seed, const std::string& by) {
     return read(ship_instrument + channel("elastic") +
                 water(0.06 * times, 0.10 * times,
@@ -273,7 +273,7 @@ void expect_strong_changes_covered(const std::string& estimator, double photons,
     }
   }
   for (std::size_t e = 0; e < changes.size(); ++e)
-    coverage[e].expect(fmt::format("{}, attenuation times {}", estimator, changes[e]), least_known);
+    coverage[e].expect(fmt::format("{}, attenuation times {}", estimator, changes[e]), min_known);
 }
 
 TEST(EnvironmentOf, StrongChangesAreRightOrFlaggedBidirectional) {

@@ -35,8 +35,8 @@ TEST(OilFilm, IsCrossedAlikeByBothEstimators) {
     const auto forward = run_in_lanes(read(scene + simulation(10 * sets, 31)));
     const auto walks = run_in_lanes(read(scene + simulation(sets, 32, "", "bidirectional")));
     ZFamily family(0.01);
-    const auto& f = forward.echo_by_order;
-    const auto& b = walks.echo_by_order;
+    const auto& f = forward.grid("echo_by_order");
+    const auto& b = walks.grid("echo_by_order");
     for (std::size_t i = 0; i < f.mean.size(); ++i) {
       if (!(f.standard_error[i] < 0.03 * f.mean[i] && b.standard_error[i] < 0.03 * b.mean[i]))
         continue;

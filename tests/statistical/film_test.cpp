@@ -28,8 +28,8 @@ struct Echo {
   double mean = 0, error = 0;
 };
 Echo first_order(const tally::Result& r, std::size_t channel) {
-  const std::size_t i = (channel * static_cast<std::size_t>(r.orders) + 1) * r.gates();
-  return {r.echo_by_order.mean[i], r.echo_by_order.standard_error[i]};
+  const std::size_t i = (channel * r.orders() + 1) * r.gates();
+  return {r.grid("echo_by_order").mean[i], r.grid("echo_by_order").standard_error[i]};
 }
 
 /// Of a narrow filter: the laser's light comes down to a flat film of crude oil and light of the
@@ -109,8 +109,8 @@ TEST(OilFilm, IsThatWhichPhotonsMeetByChance) {
         if (i % (f.mean.size() / 2) < f.mean.size() / 6) ++of_oil;
       }
     };
-    compare(forward.echo_by_process, analog.echo_by_process, "process");
-    compare(forward.echo_by_order, analog.echo_by_order, "order");
+    compare(forward.grid("echo_by_process"), analog.grid("echo_by_process"), "process");
+    compare(forward.grid("echo_by_order"), analog.grid("echo_by_order"), "order");
     std::printf("%g um: %zu cells, %zu of oil, rms z %.2f\n", um, family.size(), of_oil,
                 family.rms());
     EXPECT_GE(family.size(), 30U);

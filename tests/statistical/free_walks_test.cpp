@@ -137,10 +137,10 @@ TEST(FreeWalks, ComeByWayOfTheSurface) {
       for (std::size_t order = 1; order < 4; ++order) {
         for (std::size_t gate = 0; gate < r.gates(); ++gate) {
           const std::size_t i = order * r.gates() + gate;
-          const double error = std::hypot(r.echo_by_order.standard_error[i],
-                                          forward.echo_by_order.standard_error[i]);
-          if (!(error < 0.05 * forward.echo_by_order.mean[i])) continue;
-          family.add(r.echo_by_order.mean[i], forward.echo_by_order.mean[i], error,
+          const double error = std::hypot(r.grid("echo_by_order").standard_error[i],
+                                          forward.grid("echo_by_order").standard_error[i]);
+          if (!(error < 0.05 * forward.grid("echo_by_order").mean[i])) continue;
+          family.add(r.grid("echo_by_order").mean[i], forward.grid("echo_by_order").mean[i], error,
                      fmt::format("up {}, {} and {}, order {}, gate {}", telescope_z, telescope,
                                  laser, order, gate));
         }

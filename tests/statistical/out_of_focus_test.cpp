@@ -54,13 +54,13 @@ struct FromWater {
   std::array<double, gates_compared> mean{}, error{};
 };
 FromWater from_water(const tally::Result& r) {
-  const auto row = static_cast<std::size_t>(std::ranges::find(r.process_name, "elastic") -
-                                            r.process_name.begin());
+  const auto row = static_cast<std::size_t>(std::ranges::find(r.process_names(), "elastic") -
+                                            r.process_names().begin());
   FromWater out;
   for (std::size_t g = 0; g < gates_compared; ++g) {
     const std::size_t i = (row + 1) * r.gates() - gates_compared + g;
-    out.mean.at(g) = r.echo_by_process.mean[i];
-    out.error.at(g) = r.echo_by_process.standard_error[i];
+    out.mean.at(g) = r.grid("echo_by_process").mean[i];
+    out.error.at(g) = r.grid("echo_by_process").standard_error[i];
   }
   return out;
 }

@@ -89,8 +89,9 @@ TEST(Refraction, BendsTheAxesAsSnellsLawHasIt) {
       const double expected = of_gate(from, true) / of_gate(from, false);
       EXPECT_LT(expected, 0.9985);
       const std::size_t order_1 = with.gates() + g;  // behind order 0
-      EXPECT_NEAR(with.echo_by_order.mean[order_1] / without.echo_by_order.mean[order_1], expected,
-                  within)
+      EXPECT_NEAR(
+          with.grid("echo_by_order").mean[order_1] / without.grid("echo_by_order").mean[order_1],
+          expected, within)
           << estimator << ", gate " << g;
     }
   }

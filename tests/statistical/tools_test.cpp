@@ -8,7 +8,6 @@
 
 #include "run/run.hpp"
 #include "support/agree.hpp"
-#include "support/ledger.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
 
@@ -117,7 +116,7 @@ TEST(Tools, LeaveTheLedgerAsItIs) {
     SCOPED_TRACE(c.name);
     const auto result = run_in_lanes(quiet_scene(2e6, 5, with(c.tools)));
     add_ledgers(family, result, plain, c.name);
-    EXPECT_NEAR(sum_of(result.ledger), 1, 1.5e-3);
+    EXPECT_NEAR(result.ledger.sum(), 1, 1.5e-3);
     EXPECT_EQ(result.ledger.cut_by_weight, 0);
   }
   family.judge();
@@ -151,7 +150,7 @@ TEST(Tools, EndingHistoriesTellsWhatItCuts) {
   const auto plain = run_in_lanes(quiet_scene(2e6, 6, ""));
   const auto ended =
       run_in_lanes(quiet_scene(2e6, 5, with("weight_threshold = 0.6\nat_threshold = \"end\"")));
-  EXPECT_NEAR(sum_of(ended.ledger), 1, 1.5e-3);
+  EXPECT_NEAR(ended.ledger.sum(), 1, 1.5e-3);
   EXPECT_GT(ended.ledger.cut_by_weight, 0.05);
   ASSERT_EQ(ended.warnings.size(), 1U);
   EXPECT_NE(ended.warnings[0].find("of the launched weight: echoes are low"), std::string::npos);
@@ -219,9 +218,9 @@ TEST(AnalogPhotons, AreCountedAsOftenAsTheForwardEstimatorExpects) {
   const auto expected = run_in_lanes(big_lenses("forward", 2e6, 3));
   const auto counted = run_in_lanes(big_lenses("analog", 2e7, 4));
   compare(counted, expected, 15);
-  EXPECT_NEAR(sum_of(counted.ledger), 1, 1e-12);
+  EXPECT_NEAR(counted.ledger.sum(), 1, 1e-12);
   ZFamily orders(0.01);
-  const auto &a = counted.echo_by_order, &b = expected.echo_by_order;
+  const auto &a = counted.grid("echo_by_order"), &b = expected.grid("echo_by_order");
   for (std::size_t i = 0; i < a.mean.size(); ++i) {
     const double error = std::hypot(a.standard_error[i], b.standard_error[i]);
     if (error < 0.1 * a.mean[i]) orders.add(a.mean[i], b.mean[i], error, fmt::format("{}", i));

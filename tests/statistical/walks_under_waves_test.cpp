@@ -87,7 +87,7 @@ TEST(WalksUnderWaves, OfHardlyAnySlopeSendBackWhatAFlatSurfaceDoes) {
                            "model = \"gaussian\", upwind_slope_variance = 1e-6, "
                            "crosswind_slope_variance = 1e-6",
                            6e5, 42);
-    const auto &f = flat.echo_by_order, &l = level.echo_by_order;
+    const auto &f = flat.grid("echo_by_order"), &l = level.grid("echo_by_order");
     for (std::size_t i = 0; i < f.mean.size(); ++i) {
       const double error = std::hypot(f.standard_error[i], l.standard_error[i]);
       if (!(error < 0.1 * f.mean[i])) continue;

@@ -22,14 +22,14 @@ struct Echo {
   double mean = 0, error = 0;
 };
 Echo echo_of(const tally::Result& r, const std::string& process, std::size_t telescope = 0) {
-  const auto names = r.process_name;
+  const auto names = r.process_names();
   const auto p = static_cast<std::size_t>(std::ranges::find(names, process) - names.begin());
   EXPECT_LT(p, names.size()) << process;
   Echo out;
   for (std::size_t g = 0; g < r.gates(); ++g) {
     const std::size_t i = ((telescope * r.channels() + 0) * names.size() + p) * r.gates() + g;
-    out.mean += r.echo_by_process.mean[i];
-    out.error = std::hypot(out.error, r.echo_by_process.standard_error[i]);
+    out.mean += r.grid("echo_by_process").mean[i];
+    out.error = std::hypot(out.error, r.grid("echo_by_process").standard_error[i]);
   }
   return out;
 }
@@ -180,8 +180,8 @@ TEST(Waves, AreThoseThatPhotonsMeetByChance) {
         family.add(f.mean[i], a.mean[i], error, fmt::format("{}, {} {}", c.name, what, i));
       }
     };
-    compare(forward.echo_by_process, analog.echo_by_process, "process");
-    compare(forward.echo_by_order, analog.echo_by_order, "order");
+    compare(forward.grid("echo_by_process"), analog.grid("echo_by_process"), "process");
+    compare(forward.grid("echo_by_order"), analog.grid("echo_by_order"), "order");
     std::printf("%s: %zu cells, rms z %.2f\n", c.name, family.size(), family.rms());
     EXPECT_GE(family.size(), c.least) << c.name;
     EXPECT_LT(family.rms(), 1.3) << c.name;

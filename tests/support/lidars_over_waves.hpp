@@ -50,10 +50,10 @@ inline scene::Scene single_scattering_through_waves(double photons, const std::s
 inline void expect_single_scattering(const tally::Result& r, double within) {
   double mean = 0, squares = 0;
   for (const std::size_t cell : {2U, 3U}) {
-    mean += r.echo_by_depth.mean[cell];
-    squares += std::pow(r.echo_by_depth.standard_error[cell], 2);
+    mean += r.grid("echo_by_depth").mean[cell];
+    squares += std::pow(r.grid("echo_by_depth").standard_error[cell], 2);
   }
-  EXPECT_EQ(r.depth_edge_m[2], 4);
+  EXPECT_EQ(r.grid("echo_by_depth").grid.axes.front().edges[2], 4);
   EXPECT_NEAR(mean, 7.1264e-6, 4 * std::hypot(std::sqrt(squares), 0.4e-9));
   EXPECT_LT(std::sqrt(squares), within);
 }

@@ -25,8 +25,8 @@ inline void expect_same_light(const tally::Result& one, const tally::Result& oth
       family.add(b.mean[i], a.mean[i], error, fmt::format("{}, {} {}", name, what, i));
     }
   };
-  compare(one.echo_by_process, other.echo_by_process, "process");
-  compare(one.echo_by_order, other.echo_by_order, "order");
+  compare(one.grid("echo_by_process"), other.grid("echo_by_process"), "process");
+  compare(one.grid("echo_by_order"), other.grid("echo_by_order"), "order");
   std::printf("%s: %zu cells, rms z %.2f\n", name.c_str(), family.size(), family.rms());
   EXPECT_GE(family.size(), least) << name;
   EXPECT_LT(family.rms(), 1.3) << name;

@@ -188,13 +188,13 @@ seed = 3
                      fmt::arg("photons", photons));
 }
 
-constexpr double least_counts = 200;
+constexpr double min_counts = 200;
 
 /// Adds an echo, or a part of it, and counts of so many photons that it is to be the mean of.
 void add(ZFamily& family, const tally::Estimates& echo, std::size_t first,
          const std::array<double, gates>& counts, std::uint64_t photons) {
   for (std::size_t k = 0; k < gates; ++k) {
-    if (counts[k] < least_counts) continue;
+    if (counts[k] < min_counts) continue;
     const double share = counts[k] / static_cast<double>(photons);
     const double error = std::sqrt(share / static_cast<double>(photons));
     family.add(echo.mean[first + k], share, std::hypot(error, echo.standard_error[first + k]),
@@ -211,7 +211,7 @@ TEST(AnalogDetector, CountsWhatTheLocalEstimateExpects) {
   add(family, result.echo, 0, analog_counts(photons, false).by_gate, photons);
   EXPECT_EQ(family.size(), gates);
   // Most of it is multiple scattering, or the test would show little.
-  EXPECT_LT(result.echo_by_order.mean[2 * gates - 1], 0.5 * result.echo.mean[gates - 1]);
+  EXPECT_LT(result.grid("echo_by_order").mean[2 * gates - 1], 0.5 * result.echo.mean[gates - 1]);
   family.judge();
 }
 
@@ -226,8 +226,8 @@ TEST(AnalogDetector, CountsWhatTheBedReflects) {
     const auto result = run_in_lanes(read(scene_of(estimator, histories, true)));
     ZFamily family(0.01);
     add(family, result.echo, 0, counts.by_gate, photons);
-    ASSERT_EQ(result.process_name[1], "bottom");
-    add(family, result.echo_by_process, gates, counts.of_bed, photons);
+    ASSERT_EQ(result.process_names()[1], "bottom");
+    add(family, result.grid("echo_by_process"), gates, counts.of_bed, photons);
     EXPECT_GE(family.size(), 9U);
     family.judge();
   }

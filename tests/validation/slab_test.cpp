@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "run/run.hpp"
-#include "support/ledger.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
 
@@ -85,7 +84,7 @@ phase_function = { model = "isotropic" }
 TEST(Slab, PhotonsAreConserved) {
   for (const double directed_fraction : {0.0, 0.1}) {
     const auto l = run::run(read(scene("1.34", van_de_hulst_layer, directed_fraction, 4e6))).ledger;
-    EXPECT_NEAR(sum_of(l), 1.0, 1e-3) << directed_fraction;
+    EXPECT_NEAR(l.sum(), 1.0, 1e-3) << directed_fraction;
   }
 }
 

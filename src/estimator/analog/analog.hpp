@@ -16,6 +16,7 @@
 #include "estimator/cross_waves.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/event.hpp"
+#include "estimator/random_blocks.hpp"
 #include "estimator/termination.hpp"
 #include "estimator/world.hpp"
 #include "instrument/lens.hpp"
@@ -87,7 +88,7 @@ struct AnalogSteps {
   /// their weight, become a chance.
   AnalogPhotons<T> birth(const Draws<T>& draws, std::int32_t n, const Mask<T>& exist) {
     AnalogPhotons<T> p{{}, {world.key, draws.photon(Index<T>(n) + lane_numbers<T>()), Index<T>(0)}};
-    const auto w = draws.together(n, 0, 0);
+    const auto w = draws.together(n, 0, birth_blocks[0]);
     if (world.sea.bands > 0) p.spectral_bin = medium::spectral_bin_of(w[3]);
     birth_at_laser(world, w[0], w[1], exist, p, ledger);
     if (world.sea.waves.rough && world.laser_region.in_air) {
@@ -109,7 +110,7 @@ struct AnalogSteps {
   void begin_event(Each each) {
     each([&](auto& p) {
       p.place.event = p.place.event + Index<T>(1);
-      u = uniforms(p.place, 0), v = uniforms(p.place, 1);
+      u = uniforms(p.place, event_blocks[0]), v = uniforms(p.place, event_blocks[1]);
     });
   }
   void look_ahead(const AnalogPhotons<T>&) {}
@@ -253,7 +254,8 @@ class Analog {
     }
     tally::Ledger all = total(in_air_);
     all.escaped += std::exchange(all.sea_bed, 0);  // upwards
-    tally.ledger = tally.ledger + all + total(in_water_);
+    tally.ledger += all;
+    tally.ledger += total(in_water_);
     in_air_ = in_water_ = {};
   }
 

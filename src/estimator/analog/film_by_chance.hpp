@@ -7,15 +7,11 @@
 
 #include "core/random.hpp"
 #include "core/turn.hpp"
+#include "estimator/random_blocks.hpp"
 #include "surface/oil.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::estimator {
-
-/// Blocks of an event's random numbers, two for each step in the film.
-inline constexpr std::uint32_t film_steps = std::uint32_t{1} << 24;
-/// Photons that are still in the film then are lost.
-inline constexpr std::uint32_t most_film_steps = 4096;
 
 /// What became of photons.
 template <class T>
@@ -49,7 +45,7 @@ AfterFilm<T> film_by_chance(const medium::MediumView& sea, const RandomPlace<T>&
   using std::abs;
   AfterFilm<T> out;
   InFilm<T> at;
-  auto u = uniforms(place, film_steps);
+  auto u = uniforms(place, film_step_blocks[0]);
   {
     const auto film = surface::film_on_water<T>(sea, photon.line);
     const T n1 = in_air ? T(1) : film.water;
@@ -66,9 +62,9 @@ AfterFilm<T> film_by_chance(const medium::MediumView& sea, const RandomPlace<T>&
     at.along_y = n1 * photon.direction.y;
     photon.direction.z = select(reflected, T(0) - photon.direction.z, photon.direction.z);
   }
-  for (std::uint32_t step = 1; step < most_film_steps && any(at.inside); ++step) {
-    u = uniforms(place, film_steps + 2 * step);
-    const auto v = uniforms(place, film_steps + 2 * step + 1);
+  for (std::uint32_t step = 1; step < max_film_steps && any(at.inside); ++step) {
+    u = uniforms(place, film_step_blocks[2 * step]);
+    const auto v = uniforms(place, film_step_blocks[2 * step + 1]);
     const auto film = surface::film_on_water<T>(sea, photon.line);
     // To a face, or to where it is absorbed.
     const T to_face = select(at.sinks, T(1) - at.depth, at.depth);

@@ -171,7 +171,7 @@ struct FromTelescope : WalkDraws<T> {
   }
   /// Whether light can still come from the laser within the last gate.
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
-    return receiver.deadline.is_met(photon, world.least_group_index);
+    return receiver.deadline.is_met(photon, world.min_group_index);
   }
 };
 
@@ -203,7 +203,7 @@ class Bidirectional {
       follow(static_cast<std::int32_t>(done), now, walks, laser, back, ledger, tally);
       done += now;
     }
-    tally.ledger = tally.ledger + total(ledger);
+    tally.ledger += total(ledger);
   }
 
  private:

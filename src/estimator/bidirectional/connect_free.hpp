@@ -28,7 +28,7 @@ FreeStart<T> free_start(const EntryCone<T>& cone, const Vec3<T>& position, const
   return {position.x - (spot.x + lens.x + lift * cone.outside.x + way_down * spot.x_per_depth),
           position.y - (spot.y + lens.y + lift * cone.outside.y + way_down * spot.y_per_depth),
           spot.radius + way_down * spot.radius_per_depth,
-          path - (spot.least_path + way_down * spot.least_path_per_depth)};
+          path - (spot.min_path + way_down * spot.min_path_per_depth)};
 }
 /// The depth that a first way goes through: from the surface, or from the level `z` in the water
 /// that light spreads from, perhaps by way of the surface.

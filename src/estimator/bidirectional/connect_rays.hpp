@@ -9,7 +9,7 @@ namespace photic::estimator {
 /// Lists all rays of so many walks of the laser; tells how many there are.
 template <class T>
 std::int32_t Connections<T>::list_laser_rays(std::size_t first, std::size_t walks) {
-  walk_of_.resize(walks * (most_vertices + 1) + lanes_of<T>);  // packs are read beyond the end
+  walk_of_.resize(walks * (max_vertices + 1) + lanes_of<T>);  // packs are read beyond the end
   ray_of_.resize(walk_of_.size());
   std::int32_t count = 0;
   for (std::size_t walk = first; walk < first + walks; ++walk) {

@@ -173,7 +173,7 @@ class Connections {
                   const T& depth, const Index<T>& place);
 
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
-    return {order, world_.most_vertices};
+    return {order, world_.max_vertices};
   }
   /// How far walks may be moved in paths of an order, whose last vertex is at a depth: by the lens,
   /// whose rays have an area, and by free areas of both walks. Before the last vertex only walks
@@ -361,7 +361,7 @@ class Connections {
   lanes::Queue<T, PlacedPairing<T>> rotated_;
   lanes::Queue<T, FreePairing<T>> free_telescope_, free_laser_;
   std::vector<std::int32_t> walk_of_, ray_of_;  ///< the laser's rays that may meet a telescope's
-  lanes::LaneColumns<T, DepthLine, most_vertices + 1 + lanes_of<T>>
+  lanes::LaneColumns<T, DepthLine, max_vertices + 1 + lanes_of<T>>
       lines_;  ///< of a telescope's walk
   lanes::ScoreQueue<T> scores_;
   Completion<T> completion_;

@@ -45,8 +45,8 @@ namespace photic::estimator {
 template <class T>
 struct Usable {
   Index<T> order, most;
-  Usable(const Index<T>& vertices, std::int32_t most_of_a_walk)
-      : order(vertices), most(most_of_a_walk) {}
+  Usable(const Index<T>& vertices, std::int32_t max_of_a_walk)
+      : order(vertices), most(max_of_a_walk) {}
   [[nodiscard]] Mask<T> all() const { return order <= most; }
   [[nodiscard]] Mask<T> connecting(const Index<T>& edge) const {
     return (edge <= most) & (order - edge <= most);

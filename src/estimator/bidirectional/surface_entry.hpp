@@ -241,7 +241,7 @@ surface::Meeting<T> meeting_along(const medium::MediumView& sea, const Index<T>&
 /// Facets send light so far aside of where they send most of it that floats hold no number for how
 /// little it is. Walks that may be free take it for this density [1/sr]: their own entry counts for
 /// nothing still.
-inline constexpr double least_passing = 1e-12;
+inline constexpr double min_passing = 1e-12;
 
 /// A walk that begins at an entry, by two uniforms; draw(block) draws more, and met(mask, meeting)
 /// is told how it meets the surface.
@@ -266,7 +266,7 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
     photon.direction = direction;
     photon.weight = weight_along(sea, entry, from_telescope, line, direction, solid_angle);
     if (cone.by_depth) {  // else nothing would be left for a free walk to put another entry's for
-      const T least = T(least_passing) * entry.weight * solid_angle;
+      const T least = T(min_passing) * entry.weight * solid_angle;
       photon.weight = select(photon.weight > least, photon.weight, least);
     }
     birth.spread.solid_angle = solid_angle;

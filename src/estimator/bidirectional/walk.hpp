@@ -63,9 +63,8 @@ class Walks {
     scatter(mask, walk, record.line, line_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
     scatter(mask, walk, Index<T>(-1), pivot_vertex_.data());
-    if (!facets_beyond_.empty())
-      scatter(mask, walk, Index<T>(most_vertices), facets_beyond_.data());
-    if (!first_on_bed_.empty()) scatter(mask, walk, Index<T>(most_vertices), first_on_bed_.data());
+    if (!facets_beyond_.empty()) scatter(mask, walk, Index<T>(max_vertices), facets_beyond_.data());
+    if (!first_on_bed_.empty()) scatter(mask, walk, Index<T>(max_vertices), first_on_bed_.data());
     if (!facets_.empty()) scatter(mask, walk, record.facets, facets_.data());
     add(mask, walk, Index<T>(0), first);
   }
@@ -116,7 +115,7 @@ class Walks {
                              leads_aside(vertex.direction, ray.direction);
     const Mask<T> pivots = converts | scatters;
     if (!facets_beyond_.empty())
-      scatter((mask & first) | converts, walk, Index<T>(most_vertices), facets_beyond_.data());
+      scatter((mask & first) | converts, walk, Index<T>(max_vertices), facets_beyond_.data());
     if (any(pivots)) {
       scatter(pivots, walk, i, pivot_vertex_.data());
       pivot_.put(pivots, walk, pivot_at(sea, vertex, ray));
@@ -328,7 +327,7 @@ class Walks {
  private:
   /// From one walk to the next: odd, or the first vertices of all would want the same few places of
   /// a cache.
-  static constexpr std::size_t stride = most_vertices + 1;
+  static constexpr std::size_t stride = max_vertices + 1;
 
   [[nodiscard]] Densities<T> behind(const Ray& ray, const Index<T>& walk, const Index<T>& m,
                                     const Usable<T>& usable) const {

@@ -137,7 +137,7 @@ class WalkSteps {
   }
   void collide(Walker<T>& w) {
     book_out(w, w.colliding & (w.vertices == Index<T>(world_.last_order)), ledger.cut_by_order);
-    const Mask<T> full = w.on & w.colliding & (w.vertices == Index<T>(world_.most_vertices));
+    const Mask<T> full = w.on & w.colliding & (w.vertices == Index<T>(world_.max_vertices));
     tally.too_many_events += count(full);
     book_out(w, full, ledger.lost);
     w.colliding = w.colliding & w.on;

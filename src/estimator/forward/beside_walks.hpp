@@ -7,12 +7,10 @@
 
 #include "estimator/air.hpp"
 #include "estimator/model.hpp"
+#include "estimator/random_blocks.hpp"
 #include "estimator/world.hpp"
 
 namespace photic::estimator {
-
-/// Folded into the seed: they share no random number with the walks.
-inline constexpr std::uint64_t beside_walks_stream = 0x5be0cd19137e2179;
 
 /// Gives a world beside walks random numbers of a stream.
 template <class T>

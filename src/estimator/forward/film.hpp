@@ -6,13 +6,11 @@
 
 #include "estimator/book.hpp"
 #include "estimator/forward/estimate.hpp"
+#include "estimator/random_blocks.hpp"
 #include "surface/oil.hpp"
 #include "transport/connect_waves.hpp"
 
 namespace photic::estimator {
-
-/// Blocks of an event's random numbers, one for each time that a photon comes to a film in it.
-inline constexpr std::uint32_t film_blocks = std::uint32_t{1} << 25;
 
 /// The chance that a photon goes on as light that the film emits downwards. What that adds to an
 /// echo of the film is a few per cent, but all of the film's light in deeper gates.
@@ -83,7 +81,7 @@ PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, Travellers<T>& t,
   for (std::size_t g = 0; g < world.groups.size(); ++g)
     score_film<Events>(world, t, g, line, lit, estimates, tally);
 
-  const auto u = uniforms(t.place, film_blocks + number);
+  const auto u = uniforms(t.place, film_blocks[number]);
   const auto [cosine, sine] = cos_sin_of_turns(u[1]);
   const Vec3<T> up =
       turned(Vec3<T>{T(0), T(0), T(1)}, surface::lambert_one_minus_cos(u[2]), cosine, sine);

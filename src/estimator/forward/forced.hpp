@@ -95,7 +95,7 @@ struct ForcedUniforms {
 inline constexpr double forced_share = 0.5;
 
 /// Conversions in the views beyond are found by free flights, and in the others' views.
-inline constexpr std::size_t most_forced_views = 16;
+inline constexpr std::size_t max_forced_views = 16;
 
 template <class T>
 struct ForcedCollision {
@@ -111,8 +111,8 @@ ForcedCollision<T> force_collision(const geometry::Slabs& sea, transport::Photon
                                    const std::vector<estimator::ViewCone<T>>& views,
                                    const ForcedUniforms<T>& u) {
   const transport::Photon<T> before = photon;
-  const std::size_t taking_part = std::min(most_forced_views, views.size());
-  std::array<Stretch<T>, most_forced_views> stretch;
+  const std::size_t taking_part = std::min(max_forced_views, views.size());
+  std::array<Stretch<T>, max_forced_views> stretch;
   T count(0);
   for (std::size_t k = 0; k < taking_part; ++k) {
     stretch[k] = stretch_in(views[k], before);

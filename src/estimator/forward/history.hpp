@@ -8,6 +8,7 @@
 #include "core/flatten.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/forward/steps.hpp"
+#include "estimator/random_blocks.hpp"
 
 namespace photic::estimator {
 
@@ -18,11 +19,11 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
   t.place.photon = draws.photon(Index<T>(n) + lane_numbers<T>());
   t.place.event = Index<T>(0);
   for (std::size_t k = 0; k < t.lens.size(); ++k) {
-    const auto u = draws.together(n, 0, lens_block + static_cast<std::uint32_t>(k));
+    const auto u = draws.together(n, 0, lens_blocks[static_cast<std::uint32_t>(k)]);
     t.lens[k] = lens_point(world.groups[k].widest, u[0], u[1]);
   }
-  if (world.sea.waves.rough) t.surface = draws.together(n, 0, surface_block);
-  const auto u = draws.together(n, 0, 0);
+  if (world.sea.waves.rough) t.surface = draws.together(n, 0, surface_blocks[0]);
+  const auto u = draws.together(n, 0, birth_blocks[0]);
   if (world.sea.bands > 0) t.spectral_bin = medium::spectral_bin_of(u[3]);
   birth_at_laser(world, u[0], u[1], exist, t, ledger);
   if (compares<Events>(world))

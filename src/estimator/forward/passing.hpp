@@ -6,12 +6,9 @@
 
 #include "estimator/beyond.hpp"
 #include "estimator/forward/travellers.hpp"
+#include "estimator/random_blocks.hpp"
 
 namespace photic::estimator {
-
-/// Blocks of an event's random numbers, from here on one for each time that a photon meets the
-/// surface: whether what passes is followed.
-inline constexpr std::uint32_t passing_blocks = std::uint32_t{1} << 23;
 
 /// Takes photons that leave a world's medium, and what their new random numbers are drawn by. A
 /// reference to a function: rare enough not to be compiled anew for each caller.
@@ -28,14 +25,14 @@ void pass_surface(const World<T>& world, const Travellers<T>& t, const Mask<T>& 
   if (!world.beyond.exists) return;
   Mask<T> passes = mask & (t.photon.order > Index<T>(0));
   if (!any(passes)) return;
-  passes = passes & (uniforms(t.place, passing_blocks + meeting)[0] < world.beyond.chance);
+  passes = passes & (uniforms(t.place, passing_blocks[meeting])[0] < world.beyond.chance);
   if (!any(passes)) return;
   Travellers<T> gone = t;
   gone.on = passes;
   gone.photon.weight = weight / world.beyond.chance;
   gone.photon.analog_weight = T(1);
   go_beyond(world, direction, gone);
-  leave(gone, static_cast<std::int32_t>(passing_blocks + meeting));
+  leave(gone, static_cast<std::int32_t>(passing_blocks[meeting]));
 }
 
 }  // namespace photic::estimator

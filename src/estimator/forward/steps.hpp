@@ -33,9 +33,9 @@ struct ForwardSteps {
   template <class Each>
   void begin_event(Each each) {
     each([](auto& t) { t.place.event = t.place.event + Index<T>(1); });
-    draw(0);
-    if (world.makes_choices) draw(1);
-    if (!world.cones.empty()) draw(2);
+    draw(event_blocks[0]);
+    if (world.makes_choices) draw(event_blocks[1]);
+    if (!world.cones.empty()) draw(event_blocks[2]);
   }
 
   /// What is scored of a flight before it begins.

@@ -8,21 +8,17 @@
 #include "core/random.hpp"
 #include "estimator/forward/escape.hpp"
 #include "estimator/forward/estimate.hpp"
+#include "estimator/random_blocks.hpp"
 #include "estimator/termination.hpp"
 
 namespace photic::estimator {
-
-/// Blocks of random numbers: of the number of copies, and, from here on, of the copies' own
-/// numbers.
-inline constexpr std::uint32_t split_block = 3;
-inline constexpr std::uint32_t copy_blocks = std::uint32_t{1} << 30;
 
 /// The number of copy 0, 1 … of a photon that was split at an event, which it draws its random
 /// numbers by. No photon of the laser has such a one; of two copies with probability 2^-63.
 inline std::uint64_t copy_number(const RandomKey& key, std::uint64_t photon, std::int32_t event,
                                  std::int32_t copy) {
   const auto word = philox_words(key, photon, static_cast<std::uint32_t>(event),
-                                 copy_blocks + static_cast<std::uint32_t>(copy));
+                                 copy_blocks[static_cast<std::uint32_t>(copy)]);
   return std::uint64_t{1} << 63 | std::uint64_t{word[1]} << 32 | word[0];
 }
 
@@ -67,7 +63,7 @@ Mask<T> split(const World<T>& world, Travellers<T>& travellers, const Mask<T>& o
   const T ratio = importance_at(world.tools, -photon.position.z) / travellers.importance_before;
   const Mask<T> changes = on & !(ratio == T(1));
   if (!any(changes)) return on;
-  const T u = uniforms(travellers.place, split_block)[0];
+  const T u = uniforms(travellers.place, split_blocks[0])[0];
   const Index<T> whole = floor_index(ratio);
   const Index<T> all_of_them =
       whole + select(u < ratio - to_real<T>(whole), Index<T>(1), Index<T>(0));

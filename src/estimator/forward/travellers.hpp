@@ -8,6 +8,7 @@
 
 #include "core/random.hpp"
 #include "estimator/event.hpp"
+#include "estimator/random_blocks.hpp"
 #include "estimator/variations/ratios.hpp"
 #include "estimator/world.hpp"
 #include "transport/collide.hpp"
@@ -21,9 +22,6 @@ namespace photic::estimator {
 inline constexpr int target_capacity = 16;
 template <class T>
 using Targets = transport::Targets<T, target_capacity>;
-
-/// A block of an event's random numbers: of photons' birth.
-inline constexpr std::uint32_t surface_block = std::uint32_t{1} << 22;
 
 /// Photons on their way, one in each lane, and the event that they are in.
 template <class T>
@@ -53,7 +51,7 @@ struct Travellers : Track<T> {
 
   /// The numbers of a block of the event.
   std::array<T, 4>& numbers(std::uint32_t block) {
-    return block == 0 ? u : (block == 1 ? choices : forced);
+    return block == event_blocks[0] ? u : (block == event_blocks[1] ? choices : forced);
   }
 };
 

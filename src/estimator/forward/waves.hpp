@@ -7,12 +7,10 @@
 #include "estimator/forward/estimate.hpp"
 #include "estimator/forward/film.hpp"
 #include "estimator/forward/passing.hpp"
+#include "estimator/random_blocks.hpp"
 #include "transport/connect_waves.hpp"
 
 namespace photic::estimator {
-
-/// Blocks of an event's random numbers, one for each facet that waves of one direction have.
-inline constexpr std::uint32_t line_blocks = std::uint32_t{1} << 21;
 
 /// Scores photons of a mask that are about to meet facets, by a way to a group of telescopes.
 template <class Events, class T>
@@ -65,7 +63,7 @@ PHOTIC_APART void score_at_surface(const World<T>& world, const Travellers<T>& t
                                             t.lens[g]));
     if (waves.one_dimensional)
       score({transport::connect_in_line(world.sea, group.widest, group.region, t.photon, in_air,
-                                        uniforms(t.place, line_blocks + facet)[0]),
+                                        uniforms(t.place, line_blocks[facet])[0]),
              {}});
   }
 }
@@ -93,7 +91,7 @@ PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mas
   };
   const auto emit = [&](const transport::AtWaves<T>& at, std::uint32_t facet) {
     if (!surface::film_shines(world.sea)) return Mask<T>(false);
-    const auto u = uniforms(t.place, facet_blocks + facet);  // of the facet that is met
+    const auto u = uniforms(t.place, facet_blocks[facet]);  // of the facet that is met
     const auto by = transport::facet_met(waves, t.photon.direction, u[0], u[1]);
     const Mask<T> meets = at.meets & (by.gain > T(0));
     return emit_by_film<Events>(world, t,

@@ -311,7 +311,7 @@ TEST(StrategiesOfPath, OfLightThatTheBedReflectsAgree) {
                         (path.x(order).z != -13 || looks(place.telescope));
       if (!seen) continue;
       SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
-      const auto counts = expect_same_of_all(sea, path, n % 5 == 0 ? 2 : most_vertices);
+      const auto counts = expect_same_of_all(sea, path, n % 5 == 0 ? 2 : max_vertices);
       met += counts.met;
       rotated += counts.rotated;
     }
@@ -359,8 +359,8 @@ TEST(StrategiesOfPath, OfPathsThatAWalkGoesBeyondAgree) {
     longer.vertex.insert(longer.vertex.begin(), beyond.vertex.begin(), beyond.vertex.end());
     longer.converted = n % 2 == 0 ? 2 : 4;
     SCOPED_TRACE("path " + std::to_string(n));
-    sea.world.most_vertices = most_vertices;
-    const StrategiesOfPath expected(sea.world, sea.medium, rotating, path, most_vertices);
+    sea.world.max_vertices = max_vertices;
+    const StrategiesOfPath expected(sea.world, sea.medium, rotating, path, max_vertices);
     Scores scores(sea.world, rotating, sea.medium, path, expected.group_path());
     EXPECT_NEAR(scores.connecting_first_of_a_longer(longer) / expected.value(), 1, 1e-10);
   }

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "core/error.hpp"
 #include "estimator/model.hpp"
 #include "support/scenes.hpp"
 
@@ -30,6 +31,24 @@ TEST(Draws, AreIndependentIfAskedTo) {
   const Draws<double> draws{world, world.batch_photons, 4, telescope};
   EXPECT_EQ(draws(7, 1, 1),
             uniforms(RandomPlace<double>{world.key, world.batch_photons + 7, 1}, 5));
+}
+
+// Seen red: without the check, with the last telescopes drawing what facets do.
+TEST(Draws, AreThereForAThousandTelescopes) {
+  using namespace test;
+  const auto with = [](int telescopes) {
+    auto scene =
+        read(ship_instrument + channel("elastic") + water(0.06, 0.1, "{ model = \"isotropic\" }") +
+             depth_gates(10, 2) + simulation(1e4, 5, "", "bidirectional"));
+    const auto first = scene.telescope.front();
+    for (int i = 1; i < telescopes; ++i) {
+      scene.telescope.push_back(first);
+      scene.telescope.back().position_m.x += i;
+    }
+    return scene;
+  };
+  EXPECT_NO_THROW((void)make_model(with(1023)));
+  EXPECT_THROW((void)make_model(with(1024)), InputError);
 }
 
 // Seen red: with photons of later batches at other points than those of the first.

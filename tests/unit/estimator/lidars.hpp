@@ -37,7 +37,7 @@ struct Sea {
     world.groups = {
         {0, world.telescopes[0], world.telescope_region[0], world.path_to_origin[0], {}}};
     world.deepest = 40;
-    world.most_vertices = most_vertices;
+    world.max_vertices = max_vertices;
     world.rotates_scattered =
         world.inverse_conversion.beam.x == 0 && world.inverse_conversion.beam.y == 0;
   }

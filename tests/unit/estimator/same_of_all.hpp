@@ -26,7 +26,7 @@ inline Path moved_path(const Path& path, double x, double y) {
 inline Counts expect_same_of_all(Sea& sea, const Path& path, const Samples<double>& samples,
                                  std::int32_t most) {
   Counts counts;
-  sea.world.most_vertices = most;
+  sea.world.max_vertices = most;
   const StrategiesOfPath expected(sea.world, sea.medium, samples, path, most);
   const double value = expected.value();
   Scores scores(sea.world, samples, sea.medium, path, expected.group_path());
@@ -40,7 +40,7 @@ inline Counts expect_same_of_all(Sea& sea, const Path& path, const Samples<doubl
     const Path other =
         translated_path(sea.world, path, {0.1 * std::sin(i), 0.1 * std::cos(3 * i), 0});
     if (expected.translated(i) == 0) {
-      if (most == most_vertices) {
+      if (most == max_vertices) {
         EXPECT_EQ(scores.translated(i, other), 0) << "translated to meet at " << i;
       }
       continue;
@@ -88,7 +88,7 @@ inline Counts expect_same_of_all(Sea& sea, const Path& path, const Samples<doubl
 }
 
 /// With walks that may be free, and without.
-inline Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_vertices) {
+inline Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = max_vertices) {
   Samples<double> samples = sea.world.rotates_scattered ? rotating : translating;
   const Counts counts = expect_same_of_all(sea, path, samples, most);
   samples.free_telescope = samples.free_laser = {};

@@ -14,9 +14,9 @@ namespace photic::estimator {
 /// connections of the same walks are left out, and wrong path lengths too.
 struct Window {
   Window(const medium::Medium& medium, double path) : gates(scene(path), medium.line) {
-    shape.telescopes = shape.channels = shape.gates = shape.depths = 1;
-    shape.processes = transport::kinds_touched;
-    shape.orders = 8;
+    shape.telescopes = shape.channels = shape.gates = 1;
+    shape.grids =
+        tally::echo_grids(8, std::vector<std::string>(transport::kinds_touched, "some"), {0, 1});
     for (std::size_t l = 0; l < medium.line.size(); ++l)
       shape.channels_of_line.push_back({tally::Counting{0}});
     for (std::int32_t touched = 0; touched < transport::kinds_touched; ++touched)
@@ -118,13 +118,13 @@ class Scores {
 
  private:
   double taken() {
-    const double sum = tally_.by_order[static_cast<std::size_t>(path_.order())];
+    const double sum = tally_.parts[static_cast<std::size_t>(path_.order())];
     const bool bed = std::ranges::any_of(
         path_.vertex, [this](const V& place) { return on_bed(world_.sea, place); });
     const auto touched = world_.sea.upside_down ? transport::Touched::air
                          : bed                  ? transport::Touched::bed
                                                 : transport::Touched::water;
-    EXPECT_EQ(tally_.by_process[static_cast<std::size_t>(touched)], sum)
+    EXPECT_EQ(tally_.parts[tally_.grids[1].offset + static_cast<std::size_t>(touched)], sum)
         << "of what it has touched";
     tally_.clear();
     return sum;

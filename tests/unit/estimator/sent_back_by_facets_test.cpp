@@ -87,7 +87,7 @@ TEST(StrategiesOfPath, OfLightThatFacetsSendBackBetweenCollisionsAgree) {
           !is_before(telescope.position_m, looks.telescope, path.x(4)))
         continue;
       SCOPED_TRACE(std::string(looks.what) + ", path " + std::to_string(n));
-      const auto counts = expect_same_of_all(sea, path, samples, n % 5 == 4 ? 3 : most_vertices);
+      const auto counts = expect_same_of_all(sea, path, samples, n % 5 == 4 ? 3 : max_vertices);
       met += counts.met;
       connected += counts.connected;
       on_bed += bed ? counts.met : 0;

@@ -56,7 +56,7 @@ class StrategiesThroughWaves {
         begun_(begun),
         random_(random),
         held_(held) {
-    sea.world.most_vertices = most;
+    sea.world.max_vertices = most;
   }
 
   /// All that can draw a path with vertices at such depths.
@@ -254,7 +254,7 @@ std::vector<double> random_depths(std::int32_t order, std::int32_t on_bed, Rando
 /// Whether a walk has begun, and by no facets so steep that it is weighed as by others; from an
 /// instrument in the water by none at all.
 bool is_by_facets_that_are(const Birth<double>& birth) {
-  const double least = 1e3 * least_passing * birth.entry.weight * birth.spread.solid_angle;
+  const double least = 1e3 * min_passing * birth.entry.weight * birth.spread.solid_angle;
   return birth.exists && birth.facets == 0 && birth.photon.weight > least;
 }
 
@@ -283,7 +283,7 @@ void expect_strategies_agree(const Lidar& lidar, const medium::Waves& waves, boo
     path.line = line;
     if (line > 0) path.converted = 1 + random.below(order);
     if (path.converted > 0 && path.converted == on_bed) continue;  // it converts nothing
-    StrategiesThroughWaves(sea, samples, n % 5 == 4 ? 3 : most_vertices, begun, random, held)
+    StrategiesThroughWaves(sea, samples, n % 5 == 4 ? 3 : max_vertices, begun, random, held)
         .expect_all_alike(path);
   }
 }

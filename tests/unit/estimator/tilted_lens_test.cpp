@@ -34,7 +34,7 @@ TEST(StrategiesOfPath, BesideATiltedLensInTheWaterAgree) {
     path.vertex = {in_space(telescope, path.lens) + from_lens * outward};
     drawn.lens = on_lens();
     drawn.vertex = {in_space(telescope, drawn.lens) + outward};
-    const StrategiesOfPath expected(sea.world, sea.medium, translating, path, most_vertices);
+    const StrategiesOfPath expected(sea.world, sea.medium, translating, path, max_vertices);
     const bool meets = from_lens > 0 && expected.translated(1) > 0;
     const double length =
         expected.group_path() - (from_lens > 0 ? 0 : 2 * expected.edge.back().path);

@@ -19,6 +19,12 @@ constexpr double height_m = 12.0;
 constexpr double step_m = 0.5;
 constexpr std::size_t gates = 100;
 
+std::vector<double> depth_edges() {
+  std::vector<double> out;
+  for (std::size_t k = 0; k <= gates; ++k) out.push_back(step_m * static_cast<double>(k));
+  return out;
+}
+
 class Maker {
  public:
   Maker(const std::vector<std::string>& environments, const std::vector<std::string>& parameters) {
@@ -43,18 +49,17 @@ class Maker {
   void axes() {
     result_.telescope_name = {"narrow", "wide"};
     result_.channel_name = {"elastic", "raman", "chlorophyll"};
-    result_.process_name = {"elastic", "raman", "chlorophyll"};
+    for (const tally::Grid& grid : sample_shape().grids)
+      result_.grids.push_back(tally::GridEstimates{{}, grid, {}});
     result_.channel_wavelength_nm = {532.0, 649.8, 685.0};
-    result_.orders = 7;
     for (std::size_t k = 0; k <= gates; ++k) {
       const double depth_m = step_m * static_cast<double>(k);
-      result_.depth_edge_m.push_back(depth_m);
       result_.gate_time_edge_ns.push_back(2 * (height_m + 1.36 * depth_m) / 0.299792458);
     }
     // The second telescope looks on from a place 2 m higher.
     for (const double higher_m : {0.0, 2.0})
       for (const double stretch : {1.0, 1.004, 1.005})
-        for (const double depth_m : result_.depth_edge_m)
+        for (const double depth_m : depth_edges())
           result_.gate_depth_edge_m.push_back(stretch * (depth_m - higher_m));
   }
 
@@ -74,8 +79,8 @@ class Maker {
     for (std::size_t k = 0; k < gates; ++k) push(result_.echo, echo[k], error[k]);
     for (std::size_t process = 0; process < 3; ++process)
       for (std::size_t k = 0; k < gates; ++k)
-        part(process == c ? echo[k] : 0, process == c ? error[k] : 0, result_.echo_by_process,
-             result_.process_convergence_flags);
+        part(process == c ? echo[k] : 0, process == c ? error[k] : 0,
+             result_.grid("echo_by_process"), result_.grid("echo_by_process").flags);
     orders(look, echo, error);
     depths(echo, error);
   }
@@ -95,7 +100,7 @@ class Maker {
 
   void orders(const Look& look, const std::vector<double>& echo, const std::vector<double>& error) {
     for (std::size_t k = 0; k < gates; ++k)
-      part(0, 0, result_.echo_by_order, result_.order_convergence_flags);
+      part(0, 0, result_.grid("echo_by_order"), result_.grid("echo_by_order").flags);
     for (int order = 1; order <= 6; ++order)
       for (std::size_t k = 0; k < gates; ++k) {
         // A geometric series whose first term loses ground with depth; the last order takes the
@@ -103,8 +108,8 @@ class Maker {
         const double first = look.single_share * std::exp(-0.02 * static_cast<double>(k));
         const double share =
             order < 6 ? first * std::pow(1 - first, order - 1) : std::pow(1 - first, 5);
-        part(share * echo[k], std::sqrt(share) * error[k], result_.echo_by_order,
-             result_.order_convergence_flags);
+        part(share * echo[k], std::sqrt(share) * error[k], result_.grid("echo_by_order"),
+             result_.grid("echo_by_order").flags);
       }
   }
 
@@ -122,7 +127,7 @@ class Maker {
         // Light of a gate turned at its depth or, scattered several times, above it.
         const double share =
             d > k ? 0 : std::pow(0.5, static_cast<double>(k - d) + (d == 0 ? 0 : 1));
-        push(result_.echo_by_depth, share * echo[k], std::sqrt(share) * error[k]);
+        push(result_.grid("echo_by_depth"), share * echo[k], std::sqrt(share) * error[k]);
       }
   }
 
@@ -184,15 +189,15 @@ class Maker {
     result_.lost_not_finite = 1;
     result_.wall_time_s = 23.5;
     result_.threads = 2;
-    result_.ledger = {.absorbed = 0.71,
-                      .escaped = 0.08,
-                      .sea_bed = 0.015,
-                      .oil = 0.005,
-                      .cut_by_time = 0.18,
-                      .cut_by_order = 0.0099,
-                      .cut_by_weight = 1e-4,
-                      .roulette = 1e-5,
-                      .lost = 1.5e-7};
+    result_.ledger = {{.absorbed = 0.71,
+                       .escaped = 0.08,
+                       .sea_bed = 0.015,
+                       .oil = 0.005,
+                       .cut_by_time = 0.18,
+                       .cut_by_order = 0.0099,
+                       .cut_by_weight = 1e-4,
+                       .roulette = 1e-5,
+                       .lost = 1.5e-7}};
     result_.warnings = {
         "3 photons were lost: 2 had too many events, 1 a number that is not finite"};
     result_.strategies = {"walks from both sides connected: yes", "walks rotated: no: it is askew"};
@@ -209,13 +214,13 @@ class Maker {
     state.collisions = 187'654'000;
     state.too_many_events = 2;
     state.not_finite = 1;
-    state.ledger = {next(), next(), next(), next(), next(), next(), next(), next(), next()};
+    tally::Ledger::each([&](const char*, double& account) { account = next(); }, state.ledger);
     state.ledger_excess = {next(), next()};
     state.resting_target = next();
     for (auto& row : state.row) row = {++numbers_, ++numbers_, ++numbers_, ++numbers_};
     for (auto& s : state.echo) s = tail_sums();
-    for (auto* sums : {&state.by_order, &state.by_process, &state.by_depth})
-      for (auto& s : *sums) s = {next(), next()};
+    for (auto& sums : state.grids)
+      for (auto& s : sums) s = {next(), next()};
     for (auto* values : {&state.cut_order, &state.largest})
       for (double& value : *values) value = next();
     for (auto& s : state.environment) {
@@ -266,10 +271,8 @@ tally::Shape sample_shape(std::size_t environments) {
   tally::Shape shape;
   shape.telescopes = 2;
   shape.channels = 3;
-  shape.processes = 3;
-  shape.orders = 7;
+  shape.grids = tally::echo_grids(7, {"elastic", "raman", "chlorophyll"}, depth_edges());
   shape.gates = gates;
-  shape.depths = gates;
   shape.environments = environments;
   shape.walked = tally::kinds_of_walked;
   return shape;

@@ -54,7 +54,7 @@ TEST_F(WrittenResult, Axes) {
   EXPECT_EQ(file.size("bnds"), 2u);
   EXPECT_EQ(file.texts("telescope_name"), result_.telescope_name);
   EXPECT_EQ(file.texts("channel_name"), result_.channel_name);
-  EXPECT_EQ(file.texts("process_name"), result_.process_name);
+  EXPECT_EQ(file.texts("process_name"), result_.process_names());
   expect_same(file.numbers("channel_wavelength"), result_.channel_wavelength_nm);
   expect_same(file.numbers("order"), std::vector<double>{0, 1, 2, 3, 4, 5, 6});
 }
@@ -66,13 +66,14 @@ TEST_F(WrittenResult, Gates) {
   const auto gate_depth = file.numbers("gate_depth"),
              gate_bounds = file.numbers("gate_depth_bounds");
   ASSERT_EQ(gate_depth.size(), 600u);
+  const auto& edges = result_.grid("echo_by_depth").grid.axes.front().edges;
   for (std::size_t k = 0; k < 100; ++k) {
     EXPECT_EQ(time_bounds[2 * k], result_.gate_time_edge_ns[k]);
     EXPECT_EQ(time_bounds[2 * k + 1], result_.gate_time_edge_ns[k + 1]);
     EXPECT_EQ(time[k], 0.5 * (result_.gate_time_edge_ns[k] + result_.gate_time_edge_ns[k + 1]));
-    EXPECT_EQ(depth_bounds[2 * k], result_.depth_edge_m[k]);
-    EXPECT_EQ(depth_bounds[2 * k + 1], result_.depth_edge_m[k + 1]);
-    EXPECT_EQ(depth[k], 0.5 * (result_.depth_edge_m[k] + result_.depth_edge_m[k + 1]));
+    EXPECT_EQ(depth_bounds[2 * k], edges[k]);
+    EXPECT_EQ(depth_bounds[2 * k + 1], edges[k + 1]);
+    EXPECT_EQ(depth[k], 0.5 * (edges[k] + edges[k + 1]));
     for (std::size_t row = 0; row < 6; ++row) {
       const double* edge = &result_.gate_depth_edge_m[101 * row + k];
       EXPECT_EQ(gate_bounds[2 * (100 * row + k)], edge[0]);
@@ -86,20 +87,19 @@ TEST_F(WrittenResult, Gates) {
 // Seen red: writing the mean in the place of the standard error.
 TEST_F(WrittenResult, Estimates) {
   const NetcdfFile file(folder_.file("out.nc"));
-  for (const auto& [name, estimates] : {std::pair{"echo", &result_.echo},
-                                        {"echo_by_process", &result_.echo_by_process},
-                                        {"echo_by_order", &result_.echo_by_order},
-                                        {"echo_by_depth", &result_.echo_by_depth}}) {
+  std::map<std::string, const tally::Estimates*> all{{"echo", &result_.echo}};
+  for (const tally::GridEstimates& grid : result_.grids) all[grid.grid.name] = &grid;
+  EXPECT_EQ(all.size(), 4U);
+  for (const auto& [name, estimates] : all) {
     SCOPED_TRACE(name);
-    const bool single = estimates == &result_.echo_by_depth;
+    const bool single = name == "echo_by_depth";
     const auto stored = [&](const ZeroedVector<double>& numbers) {
       std::vector<double> out(numbers.begin(), numbers.end());
       for (double& x : out) x = single ? static_cast<float>(x) : x;
       return out;
     };
     expect_same(file.numbers(name), stored(estimates->mean));
-    expect_same(file.numbers(std::string(name) + "_standard_error"),
-                stored(estimates->standard_error));
+    expect_same(file.numbers(name + "_standard_error"), stored(estimates->standard_error));
   }
   EXPECT_EQ(file.type(file.variable("echo_by_depth")), NC_FLOAT);
   EXPECT_EQ(file.dimensions(file.variable("echo")), (Names{"telescope", "channel", "gate"}));
@@ -130,8 +130,8 @@ TEST_F(WrittenResult, Convergence) {
 TEST_F(WrittenResult, ConvergenceOfParts) {
   const NetcdfFile file(folder_.file("out.nc"));
   for (const auto& [name, flags] : {std::pair<std::string, std::vector<std::int32_t>&>{
-                                        "echo_by_process", result_.process_convergence_flags},
-                                    {"echo_by_order", result_.order_convergence_flags}}) {
+                                        "echo_by_process", result_.grid("echo_by_process").flags},
+                                    {"echo_by_order", result_.grid("echo_by_order").flags}}) {
     EXPECT_EQ(file.dimensions(file.variable(name + "_convergence_flags")),
               file.dimensions(file.variable(name)));
     expect_same(file.numbers(name + "_convergence_flags"),
@@ -323,7 +323,7 @@ TEST(WriteNetcdf, IsCompressed) {
   tally::Result result = test::sample_result();
   result.state.reset();  // made up of numbers that nothing compresses
   write_netcdf(result, folder.file("out.nc"), {"test"});
-  const std::size_t raw_bytes = 2 * result.echo_by_depth.mean.size() * sizeof(double);
+  const std::size_t raw_bytes = 2 * result.grid("echo_by_depth").mean.size() * sizeof(double);
   EXPECT_LT(std::filesystem::file_size(folder.file("out.nc")), raw_bytes / 2);
 }
 
@@ -344,9 +344,8 @@ TEST(WriteNetcdf, OtherProgramsCanAddToTheFile) {
 TEST(WriteNetcdf, DepthsOfTheLastScatteringAreLeftOutWhereTheyAreNotTallied) {
   const test::TemporaryFolder folder;
   tally::Result result = test::sample_result();
-  result.depth_edge_m.clear();
-  result.echo_by_depth = {};
-  result.state->by_depth.clear();
+  result.grids.pop_back();
+  result.state->grids.pop_back();
   write_netcdf(result, folder.file("out.nc"), {"test"});
   for (const auto& name : NetcdfFile(folder.file("out.nc")).variables())
     EXPECT_TRUE(name.rfind("gate_", 0) == 0 || name.find("depth") == std::string::npos) << name;
@@ -367,7 +366,7 @@ TEST(WriteNetcdf, RangeIsCalledRange) {
 TEST(WriteNetcdf, AResultThatDoesNotFitIsABug) {
   const test::TemporaryFolder folder;
   tally::Result result = test::sample_result();
-  result.echo_by_order.mean.pop_back();
+  result.grid("echo_by_order").mean.pop_back();
   EXPECT_THROW(write_netcdf(result, folder.file("out.nc"), {"test"}), ContractViolation);
   EXPECT_TRUE(folder.files().empty());
 }

@@ -54,7 +54,7 @@ class WrittenState : public testing::Test {
 // reader; with the first photons of the snapshots lost.
 TEST_F(WrittenState, ComesBackToTheLastBit) {
   result_.state->echo[7].power[3] = std::numeric_limits<double>::denorm_min();
-  result_.state->by_order[11].xx = std::numeric_limits<double>::max();
+  result_.state->grids[0][11].xx = std::numeric_limits<double>::max();
   result_.state->octaves[3][127] = std::numeric_limits<std::uint64_t>::max();
   write();
   EXPECT_EQ(read_state(path_, test::sample_shape()), *result_.state);
@@ -120,15 +120,24 @@ TEST_F(WrittenState, OfAnotherShapeIsRefused) {
   using Shape = tally::Shape;
   for (const auto& [extent, variable] : {std::pair{&Shape::telescopes, "row_counts"},
                                          {&Shape::channels, "row_counts"},
-                                         {&Shape::gates, "echo_sums"},
-                                         {&Shape::orders, "echo_by_order_sums"},
-                                         {&Shape::processes, "echo_by_process_sums"},
-                                         {&Shape::depths, "echo_by_depth_sums"}}) {
+                                         {&Shape::gates, "echo_sums"}}) {
     Shape shape = test::sample_shape();
     ++(shape.*extent);
     EXPECT_EQ(refusal(shape), std::string("a damaged result: it has no variable ") + variable +
                                   " of the size of its scene");
   }
+  const auto grids = [](std::size_t orders, std::size_t processes, double depth) {
+    Shape shape = test::sample_shape();
+    shape.grids = tally::echo_grids(orders, std::vector<std::string>(processes, "some"),
+                                    {0, depth / 2, depth});
+    return shape;
+  };
+  EXPECT_EQ(refusal(grids(8, 3, 1)),
+            "a damaged result: it has no variable echo_by_order_sums of the size of its scene");
+  EXPECT_EQ(refusal(grids(7, 4, 1)),
+            "a damaged result: it has no variable echo_by_process_sums of the size of its scene");
+  EXPECT_EQ(refusal(grids(7, 3, 1)),
+            "a damaged result: it has no variable echo_by_depth_sums of the size of its scene");
 }
 
 TEST_F(WrittenState, WithMoreBatchesThanSnapshotsIsRefused) {

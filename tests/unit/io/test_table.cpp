@@ -111,14 +111,14 @@ TEST(EchoTable, DepthsThatAreNone) {
 }
 
 TEST(EchoTable, ThinnedToTheRowsAskedFor) {
-  const std::string table = echo_table(test::sample_result(), {.most_rows = 10});
+  const std::string table = echo_table(test::sample_result(), {.max_rows = 10});
   EXPECT_NE(table.find("\nShown: 1 gate of 10; --table full shows all\n"), std::string::npos);
   std::size_t rows = 0;
   for (const auto& line : lines(table.substr(0, table.find("* not"))))
     rows += line.find(" %") != std::string::npos;
   EXPECT_EQ(rows, 2 * 10u);
-  EXPECT_EQ(echo_table(test::sample_result(), {.most_rows = 100}).find("Shown"), std::string::npos);
-  EXPECT_THROW(echo_table(test::sample_result(), {.most_rows = 0}), ContractViolation);
+  EXPECT_EQ(echo_table(test::sample_result(), {.max_rows = 100}).find("Shown"), std::string::npos);
+  EXPECT_THROW(echo_table(test::sample_result(), {.max_rows = 0}), ContractViolation);
 }
 
 TEST(EchoTable, EachTelescopeItsOwn) {

@@ -75,7 +75,7 @@ TEST(Layering, FindsEachOfManyLayers) {
         expect_layers<double>(random, view, row);
         expect_layers<float>(random, view, row);
       }
-      most = std::max(most, view.most_edges);
+      most = std::max(most, view.max_edges);
     }
   }
   EXPECT_GE(most, 16);  // so that all steps of the search are taken
@@ -101,7 +101,7 @@ TEST(Layering, HasFewEdgesInACell) {
   for (const std::int32_t layers : {2, 50, 200}) {
     std::vector<double> edges;
     for (std::int32_t i = 0; i <= layers; ++i) edges.push_back(0.7 * i);
-    EXPECT_EQ(Layering(edges, layers).view({}).most_edges, 1) << layers;
+    EXPECT_EQ(Layering(edges, layers).view({}).max_edges, 1) << layers;
   }
 }
 

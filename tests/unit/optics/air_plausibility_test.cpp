@@ -137,7 +137,7 @@ TEST(AirFault, IsNoneOfAirAtAFewLevels) {
 }
 
 // The US standard atmosphere of 1976 up to 1000 km (its tables, rounded), where molecules are no
-// longer mixed and an atom of hydrogen is all there is. Seen red: without least_mixed_hpa.
+// longer mixed and an atom of hydrogen is all there is. Seen red: without min_mixed_hpa.
 TEST(AirFault, IsNoneOfTheThermosphere) {
   EXPECT_EQ(said_of("z_km,p_hpa,t_k\n0,1013.25,288.15\n50,0.79779,270.65\n80,0.010524,198.64\n"
                     "100,3.2011e-4,195.08\n150,4.5422e-6,634.39\n200,8.4736e-7,854.56\n"

@@ -47,12 +47,12 @@ void expect_same(const tally::Estimates& a, const tally::Estimates& b) {
 /// Equal in all that is not of the sitting itself.
 void expect_same(const tally::Result& a, const tally::Result& b) {
   expect_same(a.echo, b.echo);
-  expect_same(a.echo_by_process, b.echo_by_process);
-  expect_same(a.echo_by_order, b.echo_by_order);
-  expect_same(a.echo_by_depth, b.echo_by_depth);
+  expect_same(a.grid("echo_by_process"), b.grid("echo_by_process"));
+  expect_same(a.grid("echo_by_order"), b.grid("echo_by_order"));
+  expect_same(a.grid("echo_by_depth"), b.grid("echo_by_depth"));
   EXPECT_EQ(a.convergence_flags, b.convergence_flags);
-  EXPECT_EQ(a.process_convergence_flags, b.process_convergence_flags);
-  EXPECT_EQ(a.order_convergence_flags, b.order_convergence_flags);
+  EXPECT_EQ(a.grid("echo_by_process").flags, b.grid("echo_by_process").flags);
+  EXPECT_EQ(a.grid("echo_by_order").flags, b.grid("echo_by_order").flags);
   EXPECT_EQ(a.largest_score_share, b.largest_score_share);
   EXPECT_EQ(a.variance_of_variance, b.variance_of_variance);
   EXPECT_EQ(a.order_cut_share, b.order_cut_share);

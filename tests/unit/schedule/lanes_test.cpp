@@ -302,13 +302,16 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& asked) {
     }
     if (contracts(isa)) {
       EXPECT_LT(difference(lanes.echo.mean, scalar.echo.mean), 1e-5);
-      EXPECT_LT(difference(lanes.echo_by_depth.mean, scalar.echo_by_depth.mean), 1e-5);
-      EXPECT_LT(difference(lanes.echo_by_order.mean, scalar.echo_by_order.mean), 1e-5);
-      EXPECT_LT(difference(lanes.echo_by_process.mean, scalar.echo_by_process.mean), 1e-5);
+      EXPECT_LT(difference(lanes.grid("echo_by_depth").mean, scalar.grid("echo_by_depth").mean),
+                1e-5);
+      EXPECT_LT(difference(lanes.grid("echo_by_order").mean, scalar.grid("echo_by_order").mean),
+                1e-5);
+      EXPECT_LT(difference(lanes.grid("echo_by_process").mean, scalar.grid("echo_by_process").mean),
+                1e-5);
     } else {
-      expect_near(lanes.echo_by_depth.mean, scalar.echo_by_depth.mean, 1e-13);
-      expect_near(lanes.echo_by_order.mean, scalar.echo_by_order.mean, 1e-13);
-      expect_near(lanes.echo_by_process.mean, scalar.echo_by_process.mean, 1e-13);
+      expect_near(lanes.grid("echo_by_depth").mean, scalar.grid("echo_by_depth").mean, 1e-13);
+      expect_near(lanes.grid("echo_by_order").mean, scalar.grid("echo_by_order").mean, 1e-13);
+      expect_near(lanes.grid("echo_by_process").mean, scalar.grid("echo_by_process").mean, 1e-13);
     }
     const double of_weight = contracts(isa) ? 1e-6 : 1e-12;
     EXPECT_NEAR(lanes.ledger.absorbed, scalar.ledger.absorbed, of_weight);
@@ -342,7 +345,7 @@ TEST(Lanes, ThreadsChangeNoBit) {
     const auto one = run_on(1, scene, isa), three = run_on(3, scene, isa);
     EXPECT_EQ(one.echo.mean, three.echo.mean);
     EXPECT_EQ(one.echo.standard_error, three.echo.standard_error);
-    EXPECT_EQ(one.echo_by_depth.mean, three.echo_by_depth.mean);
+    EXPECT_EQ(one.grid("echo_by_depth").mean, three.grid("echo_by_depth").mean);
     EXPECT_EQ(one.ledger, three.ledger);
   }
 }

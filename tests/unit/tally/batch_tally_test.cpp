@@ -20,12 +20,12 @@ TEST(BatchTally, PutsAScoreIntoItsCells) {
   Tallies t;
   t.batch.score({1, 0, 2, 9.0, t.path_in(3), 0.25});
   const std::size_t cell = (1 * 3 + 0) * 4 + 3;
-  EXPECT_EQ(t.batch.by_order[cell * 4 + 2], 0.25);
-  EXPECT_EQ(t.batch.by_process[cell * 3 + 0], 0.25);
-  EXPECT_EQ(t.batch.by_depth[cell * 4 + 1], 0.25);
+  EXPECT_EQ(t.sums("echo_by_order")[cell * 4 + 2], 0.25);
+  EXPECT_EQ(t.sums("echo_by_process")[cell * 3 + 0], 0.25);
+  EXPECT_EQ(t.sums("echo_by_depth")[cell * 4 + 1], 0.25);
   EXPECT_EQ(t.batch.cells[cell].largest, 0.25);
-  for (const auto* table : {&t.batch.by_order, &t.batch.by_process, &t.batch.by_depth})
-    EXPECT_EQ(sum(*table), 0.25);
+  for (const char* table : {"echo_by_order", "echo_by_process", "echo_by_depth"})
+    EXPECT_EQ(sum(t.sums(table)), 0.25);
   for (const CellScores& one : t.batch.cells) EXPECT_EQ(one.cut_order, 0);
 }
 
@@ -34,21 +34,21 @@ TEST(BatchTally, CountsALineInEveryChannelThatSeesIt) {
   t.score(2, 0.5, 1, 1);   // Raman: channels 1 and 2
   t.score(2, 0.25, 1, 2);  // chlorophyll: channel 2
   const auto at = [](std::size_t channel) { return channel * 4 + 2; };
-  EXPECT_EQ(t.batch.by_order[at(0) * 4 + 1], 0);
-  EXPECT_EQ(t.batch.by_order[at(1) * 4 + 1], 0.5);
-  EXPECT_EQ(t.batch.by_order[at(2) * 4 + 1], 0.75);
-  EXPECT_EQ(t.batch.by_process[at(2) * 3 + 1], 0.5);
-  EXPECT_EQ(t.batch.by_process[at(2) * 3 + 2], 0.25);
+  EXPECT_EQ(t.sums("echo_by_order")[at(0) * 4 + 1], 0);
+  EXPECT_EQ(t.sums("echo_by_order")[at(1) * 4 + 1], 0.5);
+  EXPECT_EQ(t.sums("echo_by_order")[at(2) * 4 + 1], 0.75);
+  EXPECT_EQ(t.sums("echo_by_process")[at(2) * 3 + 1], 0.5);
+  EXPECT_EQ(t.sums("echo_by_process")[at(2) * 3 + 2], 0.25);
   EXPECT_EQ(t.batch.cells[at(2)].largest, 0.5);
 }
 
 TEST(BatchTally, KeepsHighOrdersTogether) {
   Tallies t;
   for (const std::int32_t order : {0, 1, 1, 2, 3, 4, 50}) t.score(0, 1.0, order);
-  EXPECT_EQ(t.batch.by_order[0], 1);
-  EXPECT_EQ(t.batch.by_order[1], 2);
-  EXPECT_EQ(t.batch.by_order[2], 1);
-  EXPECT_EQ(t.batch.by_order[3], 3);
+  EXPECT_EQ(t.sums("echo_by_order")[0], 1);
+  EXPECT_EQ(t.sums("echo_by_order")[1], 2);
+  EXPECT_EQ(t.sums("echo_by_order")[2], 1);
+  EXPECT_EQ(t.sums("echo_by_order")[3], 3);
 }
 
 TEST(BatchTally, LeavesOutWhatLiesInNoGate) {
@@ -57,8 +57,8 @@ TEST(BatchTally, LeavesOutWhatLiesInNoGate) {
   t.batch.score({0, 0, 1, 2, t.gates.last_path() + 1, 1.0});
   t.score(1, 0.0);
   t.score(1, -1.0);
-  EXPECT_EQ(sum(t.batch.by_order), 0);
-  EXPECT_TRUE(t.batch.touched_cells.empty());
+  EXPECT_EQ(sum(t.sums("echo_by_order")), 0);
+  for (const auto& row : t.batch.touched_cells) EXPECT_TRUE(row.empty());
   EXPECT_EQ(t.batch.not_finite, 0U);
 }
 
@@ -66,15 +66,15 @@ TEST(BatchTally, LeavesOutWhatLiesInNoGate) {
 TEST(BatchTally, KeepsEchoesOfDepthsBeyondTheGrid) {
   Tallies t;
   for (const double depth : {-0.1, 20.0, 1e6}) t.batch.score({0, 0, 1, depth, t.path_in(1), 1.0});
-  EXPECT_EQ(sum(t.batch.by_order), 3);
-  EXPECT_EQ(sum(t.batch.by_depth), 0);
+  EXPECT_EQ(sum(t.sums("echo_by_order")), 3);
+  EXPECT_EQ(sum(t.sums("echo_by_depth")), 0);
 }
 
 TEST(BatchTally, CountsWhatIsNotANumber) {
   Tallies t;
   t.score(1, std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(t.batch.not_finite, 1U);
-  EXPECT_EQ(sum(t.batch.by_order), 0);
+  EXPECT_EQ(sum(t.sums("echo_by_order")), 0);
 }
 
 // Beyond max_order a score is only booked as cut off. Seen red: with the cut score in the echo too;
@@ -83,9 +83,9 @@ TEST(BatchTally, BooksWhatMaxOrderCutsOffApart) {
   Tallies t(2);
   t.score(1, 0.5, 2);
   t.score(1, 0.125, 3);
-  EXPECT_EQ(sum(t.batch.by_order), 0.5);
-  EXPECT_EQ(sum(t.batch.by_process), 0.5);
-  EXPECT_EQ(sum(t.batch.by_depth), 0.5);
+  EXPECT_EQ(sum(t.sums("echo_by_order")), 0.5);
+  EXPECT_EQ(sum(t.sums("echo_by_process")), 0.5);
+  EXPECT_EQ(sum(t.sums("echo_by_depth")), 0.5);
   EXPECT_EQ(t.batch.cells[1].cut_order, 0.125);
   EXPECT_EQ(t.batch.cells[1].largest, 0.5);
   t.end_batch(10);
@@ -114,13 +114,14 @@ TEST(BatchTally, IsAsNewWhenCleared) {
   t.batch.ledger.absorbed = 1;
   t.batch.photons = t.batch.collisions = t.batch.too_many_events = t.batch.not_finite = 5;
   t.batch.clear();
-  for (const auto* table : {&t.batch.by_order, &t.batch.by_process, &t.batch.by_depth})
-    EXPECT_EQ(sum(*table), 0);
+  for (const char* table : {"echo_by_order", "echo_by_process", "echo_by_depth"})
+    EXPECT_EQ(sum(t.sums(table)), 0);
   for (const CellScores& cell : t.batch.cells) EXPECT_FALSE(cell.touched());
   for (const auto& kind : t.batch.octaves)
     for (const OctavesOfBatch& count : kind)
       EXPECT_EQ(std::accumulate(count.begin(), count.end(), 0U), 0U);
-  EXPECT_TRUE(t.batch.touched_cells.empty() && t.batch.touched_depths.empty());
+  for (const auto& row : t.batch.touched_cells) EXPECT_TRUE(row.empty());
+  for (const auto& row : t.batch.profile.touched) EXPECT_TRUE(row.empty());
   EXPECT_EQ(t.batch.ledger.absorbed, 0);
   EXPECT_EQ(t.batch.photons + t.batch.collisions + t.batch.too_many_events + t.batch.not_finite,
             0U);

@@ -112,16 +112,16 @@ TEST(BatchTally, SpreadsWhatDecays) {
     SCOPED_TRACE(g);
     const std::size_t cell = 2 * 4 + g;
     const double expected = 0.5 * shares.at(g);
-    EXPECT_EQ(t.batch.by_order[cell * 4 + 2], expected);
-    EXPECT_EQ(t.batch.by_process[cell * 3 + 2], expected);
-    EXPECT_EQ(t.batch.by_depth[cell * 4 + 1], expected);
+    EXPECT_EQ(t.sums("echo_by_order")[cell * 4 + 2], expected);
+    EXPECT_EQ(t.sums("echo_by_process")[cell * 3 + 2], expected);
+    EXPECT_EQ(t.sums("echo_by_depth")[cell * 4 + 1], expected);
     EXPECT_EQ(t.batch.cells[cell].largest, std::max(expected, g == 0 ? 0.25 : 0.0));
-    EXPECT_EQ(t.batch.by_process[(1 * 4 + g) * 3 + 1], g == 0 ? 0.25 : 0);
+    EXPECT_EQ(t.sums("echo_by_process")[(1 * 4 + g) * 3 + 1], g == 0 ? 0.25 : 0);
   }
   EXPECT_EQ(t.batch.scores, 2U);
   t.batch.clear();
-  for (const auto* table : {&t.batch.by_order, &t.batch.by_process, &t.batch.by_depth})
-    EXPECT_EQ(total_of(*table), 0);
+  for (const char* table : {"echo_by_order", "echo_by_process", "echo_by_depth"})
+    EXPECT_EQ(total_of(t.sums(table)), 0);
 }
 
 // As of light that comes as its gate ends, but for rounding. What comes next counts once. Seen red:
@@ -130,7 +130,7 @@ TEST(BatchTally, SharesOfNothingAreNoScores) {
   DecayingTallies t;
   t.batch.score({0, 2, 1, 2, t.path_in(1), 5e-324});  // each of its shares is rounded to 0
   t.score(1, 0.5, 1, 2);
-  std::vector<std::uint32_t> cells = t.batch.touched_cells;
+  std::vector<std::uint32_t> cells = t.batch.touched_cells[2];
   std::ranges::sort(cells);
   EXPECT_EQ(std::ranges::adjacent_find(cells), cells.end());
 }
@@ -142,7 +142,7 @@ TEST(BatchTally, KeepsTheTailOfWhatCameBeforeTheGates) {
   t.batch.score({0, 2, 1, 2, before, 1.0});
   t.batch.score({0, 0, 1, 2, before, 1.0});
   const double until_end = (t.gates.last_path() - before) / (60 * metre_per_nanosecond);
-  EXPECT_NEAR(total_of(t.batch.by_order), std::exp(-1) - std::exp(-until_end), 1e-15);
+  EXPECT_NEAR(total_of(t.sums("echo_by_order")), std::exp(-1) - std::exp(-until_end), 1e-15);
 }
 
 // Seen red: with the first gate alone.
@@ -166,7 +166,7 @@ TEST(BatchTally, BooksWhatMaxOrderCutsOffInAllItsGates) {
   const auto shares = shares_of(60, t.gates, t.path_in(1));
   for (std::size_t g = 0; g < 4; ++g)
     EXPECT_EQ(t.batch.cells[2 * 4 + g].cut_order, 0.5 * shares.at(g));
-  EXPECT_EQ(total_of(t.batch.by_order), 0);
+  EXPECT_EQ(total_of(t.sums("echo_by_order")), 0);
 }
 
 }  // namespace

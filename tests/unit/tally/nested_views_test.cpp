@@ -43,18 +43,16 @@ void add_scores(Tallies& nested, Tallies& each, test::Random& random, std::size_
   }
 }
 
-template <class Numbers>
-std::vector<std::uint32_t> sorted(Numbers numbers) {
-  std::ranges::sort(numbers);
-  return numbers;
+std::vector<std::vector<std::uint32_t>> sorted(std::vector<std::vector<std::uint32_t>> rows) {
+  for (auto& row : rows) std::ranges::sort(row);
+  return rows;
 }
 
 void expect_same(const BatchTally& a, const BatchTally& b) {
-  EXPECT_TRUE(std::ranges::equal(a.by_order, b.by_order));
-  EXPECT_TRUE(std::ranges::equal(a.by_process, b.by_process));
-  EXPECT_TRUE(std::ranges::equal(a.by_depth, b.by_depth));
+  EXPECT_TRUE(std::ranges::equal(a.parts, b.parts));
+  EXPECT_TRUE(std::ranges::equal(a.profile.sums, b.profile.sums));
+  EXPECT_EQ(sorted(a.profile.touched), sorted(b.profile.touched));
   EXPECT_EQ(sorted(a.touched_cells), sorted(b.touched_cells));
-  EXPECT_EQ(sorted(a.touched_depths), sorted(b.touched_depths));
   for (std::size_t k = 0; k < a.cells.size(); ++k) {
     EXPECT_EQ(a.cells[k].largest, b.cells[k].largest);
     EXPECT_EQ(a.cells[k].cut_order, b.cells[k].cut_order);

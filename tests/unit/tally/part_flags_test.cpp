@@ -14,8 +14,8 @@ struct PartFlags {
 PartFlags flags_of(const Tallies& t) {
   const Result r = t.result();
   const std::size_t gates = t.shape.gates;
-  return {r.convergence_flags[0], r.order_convergence_flags[gates],
-          r.order_convergence_flags[2 * gates], r.process_convergence_flags[0]};
+  return {r.convergence_flags[0], r.grid("echo_by_order").flags[gates],
+          r.grid("echo_by_order").flags[2 * gates], r.grid("echo_by_process").flags[0]};
 }
 
 /// Batches of 1000 photons, whose first order adds up to 1e-3, and the second to `second(batch)`.
@@ -58,7 +58,7 @@ TEST(PartFlags, NoScore) {
   EXPECT_EQ(f.first_order, 0);
   EXPECT_EQ(f.second_order, no_score);
   const Result r = t.result();
-  EXPECT_EQ(r.process_convergence_flags[t.shape.gates], no_score);
+  EXPECT_EQ(r.grid("echo_by_process").flags[t.shape.gates], no_score);
 }
 
 TEST(PartFlags, FewBatches) {
@@ -120,7 +120,7 @@ TEST(PartFlags, HeavyTailOfFewScores) {
 TEST(PartFlags, BeamMissedIsOfLightThatWalksCarry) {
   for (const bool beside : {false, true}) {
     Shape shape = Tallies::make_shape(0, 0, kinds_of_walked);
-    shape.beside_walks = {beside, false, false};
+    shape.grid("echo_by_process").beside_walks = {beside, false, false};
     Tallies t(shape);
     test::Random random(42);
     for (int b = 0; b < 64; ++b) {
@@ -133,9 +133,9 @@ TEST(PartFlags, BeamMissedIsOfLightThatWalksCarry) {
     }
     const Result r = t.result();
     EXPECT_EQ(r.convergence_flags[0], beam_missed);
-    EXPECT_EQ(r.order_convergence_flags[0], 0);
-    EXPECT_EQ(r.order_convergence_flags[t.shape.gates], beam_missed);
-    EXPECT_EQ(r.process_convergence_flags[0], beside ? 0 : beam_missed);
+    EXPECT_EQ(r.grid("echo_by_order").flags[0], 0);
+    EXPECT_EQ(r.grid("echo_by_order").flags[t.shape.gates], beam_missed);
+    EXPECT_EQ(r.grid("echo_by_process").flags[0], beside ? 0 : beam_missed);
   }
 }
 

@@ -63,8 +63,8 @@ TEST(Rests, KeepARowAsItWas) {
     EXPECT_EQ(after.variance_of_variance[cell], before.variance_of_variance[cell]);
   }
   EXPECT_EQ(after.error_growth[1], before.error_growth[1]);
-  for (std::size_t k = 0; k < t.shape.gates * t.shape.depths; ++k)
-    EXPECT_EQ(after.echo_by_depth.mean[k], before.echo_by_depth.mean[k]);
+  for (std::size_t k = 0; k < t.shape.gates * t.shape.grids[2].size(); ++k)
+    EXPECT_EQ(after.grid("echo_by_depth").mean[k], before.grid("echo_by_depth").mean[k]);
   const std::size_t other = t.shape.gates + 2;
   EXPECT_NE(after.echo.mean[other], before.echo.mean[other]);
   EXPECT_NEAR(after.echo.mean[other] / 1e-6, 1, 0.05);

@@ -18,11 +18,8 @@ void score_at_random(Tallies& t, test::Random& random) {
   t.batch.scores = static_cast<std::uint64_t>(random.below(9000));
   t.batch.too_many_events = static_cast<std::uint64_t>(random.below(3));
   t.batch.not_finite = static_cast<std::uint64_t>(random.below(3));
-  for (double* weight :
-       {&t.batch.ledger.absorbed, &t.batch.ledger.escaped, &t.batch.ledger.sea_bed,
-        &t.batch.ledger.oil, &t.batch.ledger.cut_by_time, &t.batch.ledger.cut_by_order,
-        &t.batch.ledger.cut_by_weight, &t.batch.ledger.roulette, &t.batch.ledger.lost})
-    *weight = random.between(0, 1000);
+  Ledger::each([&](const char*, double& weight) { weight = random.between(0, 1000); },
+               t.batch.ledger);
 }
 
 void expect_same(const Estimates& a, const Estimates& b) {
@@ -49,12 +46,12 @@ TEST(TotalsState, GoesOnToTheLastBit) {
     rest.fill(resumed);
     const Result whole = t.result();
     expect_same(resumed.echo, whole.echo);
-    expect_same(resumed.echo_by_order, whole.echo_by_order);
-    expect_same(resumed.echo_by_process, whole.echo_by_process);
-    expect_same(resumed.echo_by_depth, whole.echo_by_depth);
+    expect_same(resumed.grid("echo_by_order"), whole.grid("echo_by_order"));
+    expect_same(resumed.grid("echo_by_process"), whole.grid("echo_by_process"));
+    expect_same(resumed.grid("echo_by_depth"), whole.grid("echo_by_depth"));
     EXPECT_EQ(resumed.convergence_flags, whole.convergence_flags);
-    EXPECT_EQ(resumed.process_convergence_flags, whole.process_convergence_flags);
-    EXPECT_EQ(resumed.order_convergence_flags, whole.order_convergence_flags);
+    EXPECT_EQ(resumed.grid("echo_by_process").flags, whole.grid("echo_by_process").flags);
+    EXPECT_EQ(resumed.grid("echo_by_order").flags, whole.grid("echo_by_order").flags);
     EXPECT_EQ(resumed.variance_of_variance, whole.variance_of_variance);
     EXPECT_EQ(resumed.largest_score_share, whole.largest_score_share);
     EXPECT_EQ(resumed.order_cut_share, whole.order_cut_share);
@@ -90,9 +87,10 @@ TEST(TotalsState, OfAnotherShapeIsABug) {
   };
   refused([](TotalsState& s) { s.row.pop_back(); });
   refused([](TotalsState& s) { s.echo.pop_back(); });
-  refused([](TotalsState& s) { s.by_order.pop_back(); });
-  refused([](TotalsState& s) { s.by_process.pop_back(); });
-  refused([](TotalsState& s) { s.by_depth.pop_back(); });
+  refused([](TotalsState& s) { s.grids[0].pop_back(); });
+  refused([](TotalsState& s) { s.grids[1].pop_back(); });
+  refused([](TotalsState& s) { s.grids[2].pop_back(); });
+  refused([](TotalsState& s) { s.grids.pop_back(); });
   refused([](TotalsState& s) { s.cut_order.pop_back(); });
   refused([](TotalsState& s) { s.largest.pop_back(); });
   refused([](TotalsState& s) { s.octaves.pop_back(); });

@@ -33,15 +33,11 @@ struct Tallies {
     shape.environments = environments;
     shape.telescopes = 2;
     shape.channels = 3;
-    shape.processes = 3;
-    shape.orders = 4;
+    shape.grids = echo_grids(4, {"elastic", "raman", "chlorophyll"}, {0, 5, 10, 15, 20});
     shape.gates = 4;
-    shape.depths = 4;
     shape.channels_of_line = {{Counting{0}}, {Counting{1}, Counting{2}}, {Counting{2}}};
     shape.process_of_light = {0, 1, 2};
     shape.max_order = max_order;
-    shape.depth_min = 0;
-    shape.per_depth_step = 0.2;
     return shape;
   }
 
@@ -60,6 +56,16 @@ struct Tallies {
     batch.score({0, 0, 1, 5.0 * gate + 2.5, path_in(gate), value, walked});
   }
 
+  /// What the batch scored on a grid, [cell][cell of the grid].
+  [[nodiscard]] std::vector<double> sums(const std::string& name) const {
+    if (name == "echo_by_depth") return {batch.profile.sums.begin(), batch.profile.sums.end()};
+    const GridPlaces& grid = batch.grids[name == "echo_by_order" ? 0 : 1];
+    std::vector<double> out;
+    for (std::size_t cell = 0; cell < shape.cells(); ++cell)
+      for (std::size_t k = 0; k < grid.size; ++k)
+        out.push_back(batch.parts[cell * batch.parts_size + grid.offset + k]);
+    return out;
+  }
   void end_batch(std::uint64_t photons) {
     batch.photons = photons;
     totals.merge(batch);

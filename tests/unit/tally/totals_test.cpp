@@ -105,9 +105,9 @@ TEST(Totals, OfOneBatchKnowNoError) {
   t.score(0, 1);
   t.end_batch(100);
   const Result r = t.result();
-  for (const Estimates* of : {&r.echo, &r.echo_by_process, &r.echo_by_order, &r.echo_by_depth,
-                              &r.environment_echo, &r.environment_difference})
+  for (const Estimates* of : {&r.echo, &r.environment_echo, &r.environment_difference})
     EXPECT_TRUE(unknown(of->standard_error));
+  for (const GridEstimates& of : r.grids) EXPECT_TRUE(unknown(of.standard_error));
   EXPECT_TRUE(std::isnan(r.variance_of_variance[0]));
   EXPECT_TRUE(std::isnan(r.ledger_standard_error));
   EXPECT_EQ(r.convergence_flags[0], few_batches);
@@ -162,23 +162,26 @@ TEST(Totals, SplitTheEchoByOrderAndByProcess) {
   fill_at_random(t, 40);
   const Result r = t.result();
   ASSERT_EQ(r.echo.mean.size(), 24U);
-  ASSERT_EQ(r.echo_by_order.mean.size(), 96U);
-  ASSERT_EQ(r.echo_by_process.mean.size(), 72U);
-  ASSERT_EQ(r.echo_by_depth.mean.size(), 96U);
+  ASSERT_EQ(r.grid("echo_by_order").mean.size(), 96U);
+  ASSERT_EQ(r.grid("echo_by_process").mean.size(), 72U);
+  ASSERT_EQ(r.grid("echo_by_depth").mean.size(), 96U);
   for (std::size_t tc = 0; tc < 6; ++tc) {
     for (std::size_t g = 0; g < 4; ++g) {
       const double echo = r.echo.mean[tc * 4 + g];
       double orders = 0, processes = 0, depths = 0;
-      for (std::size_t k = 0; k < 4; ++k) orders += r.echo_by_order.mean[(tc * 4 + k) * 4 + g];
-      for (std::size_t k = 0; k < 3; ++k) processes += r.echo_by_process.mean[(tc * 3 + k) * 4 + g];
-      for (std::size_t k = 0; k < 4; ++k) depths += r.echo_by_depth.mean[(tc * 4 + g) * 4 + k];
+      for (std::size_t k = 0; k < 4; ++k)
+        orders += r.grid("echo_by_order").mean[(tc * 4 + k) * 4 + g];
+      for (std::size_t k = 0; k < 3; ++k)
+        processes += r.grid("echo_by_process").mean[(tc * 3 + k) * 4 + g];
+      for (std::size_t k = 0; k < 4; ++k)
+        depths += r.grid("echo_by_depth").mean[(tc * 4 + g) * 4 + k];
       EXPECT_GT(echo, 0);
       EXPECT_NEAR(orders / echo, 1, 1e-12);
       EXPECT_NEAR(processes / echo, 1, 1e-12);
       EXPECT_NEAR(depths / echo, 1, 1e-12);
       // Channel 0 sees line 0 alone, channel 1 line 1, channel 2 lines 1 and 2.
       const auto process = [&](std::size_t k) {
-        return r.echo_by_process.mean[(tc * 3 + k) * 4 + g];
+        return r.grid("echo_by_process").mean[(tc * 3 + k) * 4 + g];
       };
       EXPECT_EQ(process(0) > 0, tc % 3 == 0);
       EXPECT_EQ(process(1) > 0, tc % 3 > 0);
@@ -199,9 +202,12 @@ TEST(Totals, PutASingleScoreWhereItBelongs) {
     }
   };
   only(r.echo.mean, {(1 * 3 + 1) * 4 + 3, (1 * 3 + 2) * 4 + 3});
-  only(r.echo_by_order.mean, {((1 * 3 + 1) * 4 + 2) * 4 + 3, ((1 * 3 + 2) * 4 + 2) * 4 + 3});
-  only(r.echo_by_process.mean, {((1 * 3 + 1) * 3 + 1) * 4 + 3, ((1 * 3 + 2) * 3 + 1) * 4 + 3});
-  only(r.echo_by_depth.mean, {((1 * 3 + 1) * 4 + 3) * 4 + 2, ((1 * 3 + 2) * 4 + 3) * 4 + 2});
+  only(r.grid("echo_by_order").mean,
+       {((1 * 3 + 1) * 4 + 2) * 4 + 3, ((1 * 3 + 2) * 4 + 2) * 4 + 3});
+  only(r.grid("echo_by_process").mean,
+       {((1 * 3 + 1) * 3 + 1) * 4 + 3, ((1 * 3 + 2) * 3 + 1) * 4 + 3});
+  only(r.grid("echo_by_depth").mean,
+       {((1 * 3 + 1) * 4 + 3) * 4 + 2, ((1 * 3 + 2) * 4 + 3) * 4 + 2});
 }
 
 // The same batches in the same order give the same bits, from one tally used again as from a fresh
@@ -215,7 +221,7 @@ TEST(Totals, AreTheSameBitsForTheSameBatches) {
   EXPECT_EQ(a.echo.mean, b.echo.mean);
   EXPECT_EQ(a.echo.standard_error, b.echo.standard_error);
   EXPECT_EQ(a.variance_of_variance, b.variance_of_variance);
-  EXPECT_EQ(a.echo_by_depth.standard_error, b.echo_by_depth.standard_error);
+  EXPECT_EQ(a.grid("echo_by_depth").standard_error, b.grid("echo_by_depth").standard_error);
 }
 
 // Merging in another order is the same up to rounding, and no more than that.
