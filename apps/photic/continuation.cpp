@@ -47,7 +47,7 @@ std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& fi
              .suggestion = fmt::format("continue with Photic {}, or start anew", run.version)}};
   }
   scene::Scene then = scene::read_scene_text(run.scene_toml, file, folder_of(file)).scene;
-  const scene::Scene now = estimator::scene_told(estimator::make_model(as_chosen(asked, then)));
+  const scene::Scene now = estimator::reported_scene(estimator::make_model(as_chosen(asked, then)));
   then.simulation.photons = now.simulation.photons;
   then.simulation.target_relative_error = now.simulation.target_relative_error;
   then.simulation.max_time_s = now.simulation.max_time_s;

@@ -8,8 +8,8 @@
 #include "medium/optical_table.hpp"
 #include "optics/data_folder.hpp"
 #include "photic/commands.hpp"
+#include "photic/optics_report.hpp"
 #include "photic/output.hpp"
-#include "photic/tell_optics.hpp"
 
 namespace photic::app {
 namespace {

@@ -64,7 +64,7 @@ Model make_model(const scene::Scene& scene);
 Model simulated_by(const Model& model, const scene::Simulation& simulation);
 
 /// What is simulated, with the instruments as they were told.
-scene::Scene scene_told(const Model& model);
+scene::Scene reported_scene(const Model& model);
 
 /// A result's axes, and what it says of the scene; the tallies are still to be filled in.
 tally::Result describe(const Model& model);

@@ -160,7 +160,8 @@ std::vector<std::string> Strategies::told() const {
   return out;
 }
 
-std::vector<std::string> strategies_told(const scene::Scene& scene, const medium::Medium& medium) {
+std::vector<std::string> reported_strategies(const scene::Scene& scene,
+                                             const medium::Medium& medium) {
   if (scene.simulation.estimator != scene::Estimator::bidirectional) return {};
   auto strategies = make_strategies(scene, medium);
   tell_meetings(scene.simulation.free_telescope_meetings, strategies.free_telescope);

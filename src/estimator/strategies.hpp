@@ -38,6 +38,7 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
 Vec3<double> beam_in_water(const scene::Scene& scene, const medium::Medium& medium);
 
 /// The lines for a scene, whatever its estimator; none of those that have no choice.
-std::vector<std::string> strategies_told(const scene::Scene& scene, const medium::Medium& medium);
+std::vector<std::string> reported_strategies(const scene::Scene& scene,
+                                             const medium::Medium& medium);
 
 }  // namespace photic::estimator

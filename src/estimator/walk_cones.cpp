@@ -112,7 +112,8 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
   return out;
 }
 
-std::vector<std::string> aimed_walks_told(const scene::Scene& scene, const medium::Medium& medium) {
+std::vector<std::string> reported_aimed_walks(const scene::Scene& scene,
+                                              const medium::Medium& medium) {
   std::vector<std::string> out;
   const auto of_laser = make_strategies(scene, medium).free_laser;
   if (meetings(scene, of_laser, scene.simulation.free_laser_meetings) == 0) return out;

@@ -30,7 +30,7 @@ Index<T> light_of(const medium::MediumView& sea, const Index<T>& line, const Ind
 
 /// The depth below the surface of a place in a medium: negative in the air.
 template <class T>
-T depth_told(const medium::MediumView& sea, const T& depth) {
+T signed_depth(const medium::MediumView& sea, const T& depth) {
   return sea.upside_down ? T(0) - depth : depth;
 }
 

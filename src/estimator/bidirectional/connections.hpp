@@ -341,7 +341,7 @@ class Connections {
             world_.path_to_origin[receiver_.telescope],
             transport::light_of<T>(sea_, back_.line(pairing.back), touched),
             path.order,
-            transport::depth_told(sea_, path.last),
+            transport::signed_depth(sea_, path.last),
             path.length,
             path.value,
             walked};

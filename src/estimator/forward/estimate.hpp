@@ -129,7 +129,7 @@ lanes::LaneScores<T> scores_of(const World<T>& world, const ViewGroup<T>& group,
           group.path_to_origin,
           transport::light_of<T>(world.sea, from.line, from.touched),
           from.photon.order + Index<T>(1),
-          transport::depth_told(world.sea, T(-from.photon.position.z)),
+          transport::signed_depth(world.sea, T(-from.photon.position.z)),
           from.photon.path + path_back,
           value};
 }

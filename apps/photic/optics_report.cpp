@@ -1,4 +1,4 @@
-#include "photic/tell_optics.hpp"
+#include "photic/optics_report.hpp"
 
 #include <fmt/format.h>
 
