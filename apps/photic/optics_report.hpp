@@ -9,16 +9,17 @@
 namespace photic::app {
 
 /// What a table is of.
-struct Told {
+struct ReportSubject {
   std::string title;
   std::string scene_toml;  ///< empty: no scene
 };
 
 /// Prints the table, as JSON if it is asked for, or writes it to the command's output.
-void tell(const medium::OpticalTable& table, const Told& what, const OpticsCommand& command);
+void report(const medium::OpticalTable& table, const ReportSubject& what,
+            const OpticsCommand& command);
 
 /// The command's oil, or its air: layers, or what a tape7 holds. Return the exit code.
-int tell_oil(const OpticsCommand& command);
-int tell_air(const OpticsCommand& command);
+int report_oil(const OpticsCommand& command);
+int report_air(const OpticsCommand& command);
 
 }  // namespace photic::app

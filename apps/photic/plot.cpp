@@ -32,7 +32,7 @@ fs::path package() {
 }
 
 /// Tells the first module that a Python lacks, of those that plots need.
-constexpr const char* tell_missing =
+constexpr const char* list_missing =
     "import importlib.util as u; "
     "print('lacks:', "
     "*[m for m in ('numpy', 'xarray', 'netCDF4', 'matplotlib') if not u.find_spec(m)])";
@@ -53,7 +53,7 @@ struct Python {
 
 /// Asks a Python what it lacks.
 Python look_at(const std::string& program) {
-  const std::string ask = fmt::format("{} -c {}", quoted(program), quoted(tell_missing));
+  const std::string ask = fmt::format("{} -c {}", quoted(program), quoted(list_missing));
   std::FILE* pipe = popen((ask + " 2>/dev/null </dev/null").c_str(), "r");
   if (pipe == nullptr) return {program, "cannot be started"};
   std::string missing;

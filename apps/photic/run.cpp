@@ -59,7 +59,7 @@ void print_echoes(const tally::Result& result, const RunCommand& command) {
 }
 
 /// Prints what a run came to; where it is goes to standard error if the rest is for a program.
-void tell(const tally::Result& result, const RunCommand& command, const std::string& place) {
+void report(const tally::Result& result, const RunCommand& command, const std::string& place) {
   if (command.quiet) {
     for (const std::string& warning : result.warnings) print_warning(warning + '\n');
     if (command.json) print_echoes(result, command);
@@ -195,7 +195,7 @@ int run(const RunCommand& command) {
     print_error(checkpoint.leftover(0));
     throw;
   }
-  tell(result, command, where_it_is(result, command.call, path, checkpoint.finish(result)));
+  report(result, command, where_it_is(result, command.call, path, checkpoint.finish(result)));
   return result.partial ? interrupt_exit_code() : done;
 }
 

@@ -1,8 +1,12 @@
-// One event of a history, as the physics tells it: a flight, and what stands at its end.
+// One event of a history: a flight, and what stands at its end.
 //
-//   birth --> flight --+--> a black sea bed, or too late: the end               ^      +--> the
-// surface: reflected, but for what passes --+               |      +--> a collision: scattered,
-// converted, absorbed --+               +--------------- Russian roulette <-----------------------+
+// clang-format off
+//   birth --> flight --+--> sea bed, or too late -------------------------------------> end
+//               ^      +--> surface: reflected, but for what passes -----+               ^
+//               |      +--> collision: scattered, converted, absorbed ---+               |
+//               +------------------ Russian roulette <-------------------+               |
+//                                          +---------------------------------------------+
+// clang-format on
 //
 // Photons of the forward estimator, the bidirectional one's walks and analog photons all go through
 // this text. What each estimator makes of a step, it says in its Steps. each(stage) has a stage

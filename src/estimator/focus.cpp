@@ -52,7 +52,7 @@ std::string focused_at(const scene::Telescope& telescope) {
   return per_metre > 0 ? fmt::format("focused at {:.6g} m", 1 / per_metre) : "focused at infinity";
 }
 
-std::string told_of(const Model& model, std::size_t t) {
+std::string report_of(const Model& model, std::size_t t) {
   const scene::Telescope& lens = model.scene.telescope[t];
   const char* place = model.gates.depth_is_range() ? "range" : "depth";
   std::vector<std::string> shares;
@@ -102,7 +102,7 @@ void check_focus(const scene::Scene& scene, scene::Findings& findings) {
 
 std::vector<std::string> focus_told(const Model& model) {
   std::vector<std::string> out;
-  for (std::size_t t = 0; t < model.scene.telescope.size(); ++t) out.push_back(told_of(model, t));
+  for (std::size_t t = 0; t < model.scene.telescope.size(); ++t) out.push_back(report_of(model, t));
   return out;
 }
 

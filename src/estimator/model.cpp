@@ -249,8 +249,8 @@ Model make_model(const scene::Scene& scene) {
 
 scene::Scene reported_scene(const Model& model) {
   scene::Scene scene = model.scene;
-  scene.source = model.told.source;
-  scene.telescope = model.told.telescope;
+  scene.source = model.as_given.source;
+  scene.telescope = model.as_given.telescope;
   return scene;
 }
 

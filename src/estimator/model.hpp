@@ -50,7 +50,7 @@ struct Model {
   std::vector<AirTables> air_tables;
   std::vector<medium::OtherAir> other_airs;  ///< of scenes with air and environments
   geometry::TooLong too_long;
-  Instruments told;  ///< as the scene has them
+  Instruments as_given;  ///< as the scene has them
 };
 
 /// The check of a scene's optics, for scene::read_scene: whatever make_model would refuse. The

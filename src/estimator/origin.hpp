@@ -45,8 +45,8 @@ Instrument from_origin(Instrument instrument, const Vec3<double>& origin) {
 inline double path_to_origin(const geometry::Ahead& of_laser, const scene::Telescope& telescope,
                              bool above_air) {
   const Vec3<double>& lens = telescope.position_m;
-  const bool told_from_origin = above_air || !geometry::stands_in_water(lens);
-  return of_laser.length + of_laser.to_sea + (told_from_origin ? length(lens) : 0);
+  const bool relative_to_origin = above_air || !geometry::stands_in_water(lens);
+  return of_laser.length + of_laser.to_sea + (relative_to_origin ? length(lens) : 0);
 }
 
 /// Until when light in the water has to be on its way to an instrument.

@@ -102,7 +102,7 @@ Strategy free_laser(const scene::Scene& scene, const medium::Medium& medium) {
   return {name, true, {}};
 }
 /// With how often they meet, as a scene has it.
-void tell_meetings(const std::optional<double>& per_metre, Strategy& strategy) {
+void report_meetings(const std::optional<double>& per_metre, Strategy& strategy) {
   if (!strategy.used) return;
   const std::string limit = strategy.reason.empty() ? "" : "; " + strategy.reason;
   if (!per_metre) {
@@ -150,7 +150,7 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
   return out;
 }
 
-std::vector<std::string> Strategies::told() const {
+std::vector<std::string> Strategies::report() const {
   std::vector<std::string> out;
   for (const Strategy* s : {&to_laser, &between, &translated, &rotated, &rotated_scattered,
                             &free_telescope, &free_laser}) {
@@ -164,9 +164,9 @@ std::vector<std::string> reported_strategies(const scene::Scene& scene,
                                              const medium::Medium& medium) {
   if (scene.simulation.estimator != scene::Estimator::bidirectional) return {};
   auto strategies = make_strategies(scene, medium);
-  tell_meetings(scene.simulation.free_telescope_meetings, strategies.free_telescope);
-  tell_meetings(scene.simulation.free_laser_meetings, strategies.free_laser);
-  return strategies.told();
+  report_meetings(scene.simulation.free_telescope_meetings, strategies.free_telescope);
+  report_meetings(scene.simulation.free_laser_meetings, strategies.free_laser);
+  return strategies.report();
 }
 
 }  // namespace photic::estimator

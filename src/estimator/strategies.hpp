@@ -29,7 +29,7 @@ struct Strategies {
   Strategy free_laser;         ///< walks of the laser are, and lit anew
 
   /// A line for each.
-  [[nodiscard]] std::vector<std::string> told() const;
+  [[nodiscard]] std::vector<std::string> report() const;
 };
 
 Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medium);

@@ -284,7 +284,7 @@ double max_rounded_off(const Instrument& instrument, const medium::Medium& air) 
 template <class T>
 World<T> make_world(const Model& model) {
   const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables, others, too_long,
-               told] = model;
+               as_given] = model;
   World<T> world;
   world.estimator = scene.simulation.estimator;
   world.sea = paths.slabs(medium);

@@ -49,11 +49,11 @@ T longer_from_disc(const Laser<T>& laser, const Vec3<T>& place, const T& distanc
 }
 
 template <class T>
-Laser<T> make_laser(const scene::Source& s, const geometry::Ahead& told) {
+Laser<T> make_laser(const scene::Source& s, const geometry::Ahead& way) {
   const double half_divergence = s.half_divergence_mrad * 1e-3;
   Laser<T> laser;
   const Vec3<double> axis = normalised(s.direction);
-  const auto [ahead, to_sea] = told;
+  const auto [ahead, to_sea] = way;
   laser.start = vec3_cast<T>(s.position_m + ahead * axis);
   laser.ahead = T(ahead);
   laser.to_sea = T(to_sea);

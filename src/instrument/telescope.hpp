@@ -150,13 +150,13 @@ inline ViewReach<double> reach_of_view(const scene::Telescope& s) {
 
 /// The telescope of a scene. Half field of view v: detector radius f tan v.
 template <class T>
-Telescope<T> make_telescope(const scene::Telescope& s, const geometry::Ahead& told) {
+Telescope<T> make_telescope(const scene::Telescope& s, const geometry::Ahead& way) {
   Telescope<T> t;
   t.position = vec3_cast<T>(s.position_m);
   t.distance = T(length(s.position_m));
   const Vec3<double> axis = normalised(s.direction);
-  const double ahead = told.length;
-  t.above_air = told.to_sea > 0;
+  const double ahead = way.length;
+  t.above_air = way.to_sea > 0;
   t.start = vec3_cast<T>(s.position_m + ahead * axis);
   t.ahead = T(ahead);
   t.axis = vec3_cast<T>(axis);

@@ -89,7 +89,7 @@ class Pool {
         steps_of<Events>(tally, [this](std::uint32_t block) { draw(on_the_way(), block); });
     for (fill<Events>(tally); used_ > 0; fill<Events>(tally)) {
       collide<Events>(steps, on_the_way());
-      tell(witness);
+      show(witness);
       if constexpr (Events::tools) keep_copies(tally);
       fly<Events>(steps, on_the_way());
     }
@@ -147,7 +147,7 @@ class Pool {
     if (count > 0) pack->numbers(block) = uniforms(pack->place, block);
   }
   template <class Witness>
-  void tell(Witness& witness) {
+  void show(Witness& witness) {
     for (std::size_t k = 0; k < used_; ++k) witness(pack_[k], before_[k]);
   }
 
