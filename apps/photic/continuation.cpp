@@ -106,7 +106,7 @@ Earlier take_up(const std::string& file, const scene::Scene& scene) {
 
 bool is_same_scene(const io::RunSoFar& run, const std::string& file, const scene::Scene& scene) {
   scene::Scene open = scene;
-  open.simulation.batch_photons.reset();  // how it is simulated, not what
+  open.simulation.batch_photons.reset();  // a matter of the simulation, not of the scene
   try {
     return obstacles(run, file, open).empty();
   } catch (const InputError&) {  // its scene is none to this program

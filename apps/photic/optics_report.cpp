@@ -37,12 +37,12 @@ std::string count(std::size_t number, const char* noun) {
   return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
 }
 
-/// What is told of a file that was written.
+/// The line that reports a file that was written.
 std::string where_it_is(const OpticsCommand& command, const std::string& what) {
   return fmt::format("{}: {}\n", command.output, what) + plot_hint(command.call, command.output);
 }
 
-/// Those asked for, or from the ultraviolet of fluorosensors to the red.
+/// The wavelengths asked for, or those from the ultraviolet of fluorosensors to the red.
 std::vector<double> wavelengths_of(const OpticsCommand& command) {
   std::vector<double> nm = command.wavelength_nm;
   for (double each = 300; command.wavelength_nm.empty() && each <= 700; each += 50)
@@ -127,7 +127,7 @@ std::string transmittances_text(const io::SpectralTable& table) {
   return io::spectral_text(seen) + (clear.empty() ? "" : "\n1 throughout: " + clear + "\n");
 }
 
-/// Refuses what a tape7 has no use for.
+/// Reports a tape7; refuses options that it has no use for.
 void report_tape7(const std::string& text, const OpticsCommand& command) {
   if (command.visibility_km || command.aerosol != OpticsCommand().aerosol)
     throw UsageError(command.air +

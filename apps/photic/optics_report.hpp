@@ -1,4 +1,4 @@
-// What `photic optics` prints and writes of a table, and of air and oil.
+// The output of `photic optics` for a table, and for air and oil.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace photic::app {
 
-/// What a table is of.
+/// The subject of a table.
 struct ReportSubject {
   std::string title;
   std::string scene_toml;  ///< empty: no scene
@@ -18,7 +18,8 @@ struct ReportSubject {
 void report(const medium::OpticalTable& table, const ReportSubject& what,
             const OpticsCommand& command);
 
-/// The command's oil, or its air: layers, or what a tape7 holds. Return the exit code.
+/// Reports the command's oil, or its air: layers, or the contents of a tape7. Returns the exit
+/// code.
 int report_oil(const OpticsCommand& command);
 int report_air(const OpticsCommand& command);
 

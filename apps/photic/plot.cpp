@@ -31,7 +31,7 @@ fs::path package() {
                   places[0].string(), places[1].string()));
 }
 
-/// Tells the first module that a Python lacks, of those that plots need.
+/// Prints the modules that plots need and a Python lacks.
 constexpr const char* list_missing =
     "import importlib.util as u; "
     "print('lacks:', "
@@ -68,7 +68,7 @@ Python look_at(const std::string& program) {
   return {program, missing.empty() ? "" : "lacks" + missing};
 }
 
-/// The one that the user names, else the first that can draw plots: Debian's, whose packages
+/// The Python that the user names, else the first that can draw plots: Debian's, whose packages
 /// Photic's depends on, or the first in the PATH.
 std::string python() {
   const char* named = std::getenv("PHOTIC_PYTHON");

@@ -54,7 +54,7 @@ void write_files_of(const std::string& kind, const fs::path& folder) {
   }
 }
 
-/// Of a scene that went to standard output.
+/// Names the files of a scene that went to standard output.
 void report_files_of(const std::string& kind) {
   for (const scene::StarterFile& file : scene::starter_files(kind))
     print_warning(
