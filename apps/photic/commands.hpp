@@ -1,4 +1,4 @@
-// The user's request: one plain value for each subcommand, and the function that does it.
+// The user's request: one plain value for each subcommand, and the function that carries it out.
 // Each returns the exit code; problems are thrown and reported in one place (main.cpp).
 #pragma once
 
