@@ -99,7 +99,7 @@ Vector<E, N> gather_short(const E* data, std::int32_t size, const Vector<std::in
 }
 
 #if defined(__AVX2__)
-/// The first two numbers of a and of b, in turn, of each four and four; or the last two.
+/// The first two of each four numbers of a and of b, in turn; or the last two.
 inline __m256 first_in_turn(__m256 a, __m256 b) { return _mm256_unpacklo_ps(a, b); }
 inline __m256 last_in_turn(__m256 a, __m256 b) { return _mm256_unpackhi_ps(a, b); }
 /// The first and third of the same numbers, a's before b's; or the others.

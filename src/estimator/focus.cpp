@@ -13,8 +13,9 @@ namespace {
 /// Below it the surface counts as out of focus.
 constexpr double min_share = 0.9;
 
-/// Of the open lens, whose rays from a point on the axis reach the detector (docs/theory.md, eq. 32
-/// with q = 0). `distance`: how far the point seems to be from the lens [m].
+/// The share of the open lens whose rays from a point on the axis reach the detector
+/// (docs/theory.md, eq. 32 with q = 0). `distance`: the point's apparent distance from the lens
+/// [m].
 double share_of_lens(const scene::Telescope& telescope, double distance) {
   return instrument::make_telescope<double>(telescope).overlap(1 / distance, 0.0);
 }

@@ -42,7 +42,7 @@ std::string process_of(const medium::Line& line, transport::Touched touched) {
   return std::string(scene::word_of(line.process));
 }
 
-/// What light touches in a medium under air.
+/// The places that light touches in a medium under air.
 std::vector<transport::Touched> touched_in(const medium::Medium& medium, bool air) {
   std::vector<transport::Touched> out{transport::Touched::water};
   if (!medium.bed_albedo.empty()) out.push_back(transport::Touched::bed);
@@ -103,7 +103,7 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   return shape;
 }
 
-/// Of the laser and the telescopes [m].
+/// The heights of the laser and the telescopes [m].
 std::vector<double> heights_of(const scene::Scene& scene) {
   std::vector<double> out{scene.source.position_m.z};
   for (const auto& t : scene.telescope) out.push_back(t.position_m.z);
@@ -149,7 +149,7 @@ medium::Line channel_line(const scene::Channel& channel, std::size_t c,
   return mean;
 }
 
-/// The values of an environment that its name does not tell: "sea.layer.0.chlorophyll_mg_m3 = 2".
+/// The values of an environment that its name does not state: "sea.layer.0.chlorophyll_mg_m3 = 2".
 std::string unnamed_values(const scene::Environment& environment) {
   std::string out;
   for (const auto& [path, value] : environment.set) {

@@ -10,7 +10,7 @@
 
 namespace photic::estimator {
 
-/// Their places are told from the origin.
+/// The cones of walks, with places relative to the origin.
 struct WalkCones {
   EntryCone<double> laser;
   std::vector<EntryCone<double>> telescope;   ///< of nested views that of the widest alone
