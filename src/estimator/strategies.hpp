@@ -17,7 +17,8 @@ struct Strategy {
   std::string reason;  ///< why not; what it is limited by, if it is used
 };
 
-/// The strategies of the bidirectional estimator. Walks are always connected to the lens.
+/// The strategies of the bidirectional estimator. Telescopes' walks are always connected to the
+/// lens, and the laser's walks with them.
 struct Strategies {
   Strategy to_laser;           ///< telescopes' walks are connected to the laser
   Strategy between;            ///< vertices of both walks are connected

@@ -45,7 +45,7 @@ struct Receiver {
   std::int32_t band = -1;      ///< of the medium's, if it is one
   T last_path{};               ///< of both walks together, at the end of the last gate [m]
   T longest{};                 ///< the same of walks that have not been translated yet [m]
-  Deadline<T> deadline{};      ///< of its walks' light, at the laser
+  Deadline<T> deadline{};      ///< of its walks' light, to reach the laser
 };
 
 /// Telescopes that share local estimates: of nested views, or one alone.
@@ -273,9 +273,9 @@ inline bool spreads_evenly(const scene::Scene& scene) {
 }
 
 /// The greatest rounding error of paths in the air between an instrument and the sea [m], by which
-/// they count as longer. Light that the sea mirrors comes hardly later than light that turns at the
-/// surface, and must never come before it: 0.5 mm from 3 km, 2 cm from space in float. Length,
-/// delay, and half the sum of both ways: each is rounded by half the last digit.
+/// they count as longer: light that the sea mirrors comes hardly later than light that turns at the
+/// surface, and must never come before it. It is 0.5 mm from 3 km, 2 cm from space in float:
+/// length, delay, and half the sum of both ways are each rounded by half the last digit.
 template <class T, class Instrument>
 double max_rounded_off(const Instrument& instrument, const medium::Medium& air) {
   const double epsilon = std::numeric_limits<Element<T>>::epsilon();

@@ -252,7 +252,7 @@ void add_reflection(const medium::MediumView& sea, const Encounter<T>& c, Terms<
     collision.add(sea.excess_bed(c.line, first + Index<T>(1)), rest * per_albedo);
 }
 
-/// Adds the excess of its coefficient there, over that in the medium.
+/// Adds the excess of an encounter's coefficient there, over that in the medium.
 template <class T>
 void add_encounter(const medium::MediumView& sea, const Encounter<T>& c, Terms<T>& collision) {
   if (any(c.converted))
