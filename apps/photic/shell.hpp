@@ -14,9 +14,8 @@ std::string as_file(const std::string& name);
 
 /// The call of the program.
 struct Call {
-  std::string program =
-      "photic";      ///< as typed, so that it starts the program again from the same place
-  std::string line;  ///< "photic run 'my scene.toml'", for the history of a result
+  std::string program = "photic";  ///< as typed, to start it again from the same place
+  std::string line;                ///< "photic run 'my scene.toml'", for the history of a result
   std::vector<std::string> words;  ///< after the program's name
 
   /// "build/photic plot 'my result.nc'": a command of this program that works as printed.
