@@ -1,7 +1,7 @@
 // One event of a history: a flight, and what stands at its end.
 //
 // clang-format off
-//   birth --> flight --+--> sea bed, or too late -------------------------------------> end
+//   birth --> flight --+--> black sea bed, or too late -------------------------------> end
 //               ^      +--> surface: reflected, but for what passes -----+               ^
 //               |      +--> collision: scattered, converted, absorbed ---+               |
 //               +------------------ Russian roulette <-------------------+               |

@@ -168,7 +168,7 @@ class WalkSteps {
         slopes_over_rays(world, instrument, line, position, walks.entry(walk), record.lens, first),
         record.spread);
   }
-  /// Has walks at the surface meet facets until they go down in the water, or have left. Those
+  /// Has walks at the surface meet facets until they go down in the water, or have left. Walks
   /// straight from an instrument end: others begin with light sent back by facets.
   PHOTIC_APART static Walker<T> cross_waves(const geometry::Slabs& sea, Source& source,
                                             Walks<T>& walks, Walker<T> w) {

@@ -12,8 +12,8 @@
 
 namespace photic::estimator {
 
-/// The chance that a photon goes on as light that the film emits downwards. They add a few per cent
-/// to an echo of the film, but all of the film's light in deeper gates.
+/// The chance that a photon goes on as light that the film emits downwards. Such photons add a few
+/// per cent to an echo of the film, but all of the film's light in deeper gates.
 inline constexpr double film_conversion = 0.1;
 
 /// Photons of a mask that come to a film; `met`: how often such a film is met over how often it is
