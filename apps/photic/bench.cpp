@@ -63,7 +63,7 @@ std::vector<Column> columns(std::size_t gates) {
   return out;
 }
 
-/// What candidates are called, below a heading for the place of gates.
+/// The names of candidates, below a heading for the place of gates.
 io::TextColumn names(const run::Comparison& comparison, std::vector<std::string> heading) {
   io::TextColumn out{heading.front(), {}, true};
   out.cells.assign(heading.begin() + 1, heading.end());

@@ -74,7 +74,7 @@ void Checkpoint::write(const tally::Result& so_far, ProgressBar& bar) {
   }
 }
 
-/// Where the first checkpoint puts the one of an earlier scene; empty if there is none.
+/// Returns where the first checkpoint puts the one of an earlier scene; empty if there is none.
 std::string Checkpoint::take_place(ProgressBar& bar) {
   const Occupant left = checkpoint_at(path_, origin_);
   const bool edited = left.kind == Occupant::Kind::edited_scene;

@@ -18,16 +18,16 @@ std::string without_checkpoint(const std::string& file);
 
 class Checkpoint {
  public:
-  /// Of a run that will write `result`, from there. `history` is that of the result.
+  /// The checkpoint of a run that will write `result`. `history` is that of the result.
   Checkpoint(const std::string& result, const Origin& origin, std::string history, Call call);
 
-  /// One line that tells how to go on from the file, if a run of this scene left more than
+  /// Returns one line on how to go on from the file, if a run of this scene left more than
   /// `photons` there; else empty.
   [[nodiscard]] std::string leftover(std::uint64_t photons) const;
 
-  /// Writes the result so far. Never in the place of more photons of the same scene, nor of what
-  /// belongs to another scene file: then it is beside that, which is told. A failure is told once,
-  /// and leaves the last good checkpoint.
+  /// Writes the result so far, but never over more photons of the same scene, nor over a result of
+  /// another scene file: then it is written beside that, with a warning. A failure is reported
+  /// once, and leaves the last good checkpoint.
   void write(const tally::Result& so_far, ProgressBar& bar);
 
   /// Removes what the result, now written, holds as well. A partial result that no run can go on
@@ -41,7 +41,7 @@ class Checkpoint {
   Call call_;
   const Origin& origin_;
   std::uint64_t photons_ = 0;  ///< of this scene that the file holds
-  bool ours_ = false;          ///< whether this run has written the file
+  bool ours_ = false;          ///< true if this run has written the file
   bool warned_ = false;
 };
 

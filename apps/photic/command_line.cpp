@@ -98,7 +98,7 @@ std::string option_for(const CLI::App& app, const std::vector<std::string>& left
   return "";
 }
 
-/// What a subcommand needs, and CLI11 cannot know.
+/// Checks what a subcommand needs, and CLI11 cannot know.
 void expect_complete(const CLI::App& app, const Commands& commands) {
   for (const CLI::App* sub : app.get_subcommands())
     for (const CLI::Option* option : sub->get_options({}))
@@ -114,7 +114,7 @@ void expect_complete(const CLI::App& app, const Commands& commands) {
 Command chosen(const CLI::App& app, Commands& all, const Call& call) {
   for (auto* overrides : {&all.run.overrides, &all.bench.overrides, &all.optics.overrides})
     overrides->insert(overrides->end(), all.values.begin(), all.values.end());
-  std::erase(all.optics.water, "");  // what CLI11 gives for --water without keys
+  std::erase(all.optics.water, "");  // the value that CLI11 gives for --water without keys
   all.run.call = all.plot.call = all.optics.call = all.starter.call = call;
   if (app.got_subcommand("run")) return all.run;
   if (app.got_subcommand("plot")) return all.plot;
@@ -147,7 +147,7 @@ Parsed parse_command_line(int argc, const char* const* argv) {
   const CommandManual manual = manual_of(app, notes);
   if (call.words.empty()) return {HelpCommand{"", manual}, done};
   if (call.words.front() == "--version") return {VersionCommand{}, done};
-  // For shells and for packages, so that no help tells of them.
+  // Commands for shells and for packages, which no help lists.
   if (call.words == std::vector<std::string>{"manual"}) return {ManualCommand{manual}, done};
   if (call.words.size() > 2 && call.words[0] == "complete" && call.words[1] == "--")
     return {CompleteCommand{{call.words.begin() + 2, call.words.end()}, manual}, done};

@@ -1,4 +1,4 @@
-// What the user asked for, one plain value for each subcommand, and the function that does it.
+// The user's request: one plain value for each subcommand, and the function that carries it out.
 // Each returns the exit code; problems are thrown and reported in one place (main.cpp).
 #pragma once
 
@@ -53,7 +53,7 @@ struct BenchCommand {
   bool json = false;
 };
 
-/// photic check: tells every problem of a scene.
+/// photic check: reports every problem of a scene.
 struct CheckCommand {
   std::string scene;
   std::vector<scene::Override> overrides;
@@ -67,13 +67,13 @@ struct ShowCommand {
   bool json = false;
 };
 
-/// photic optics: tells the optical properties of a scene's layers, of water of given constituents,
-/// of an oil, or of air.
+/// photic optics: reports the optical properties of a scene's layers, of water of given
+/// constituents, of an oil, or of air.
 struct OpticsCommand {
   std::string scene;               ///< empty: one layer of this water, under the laser of 532 nm
   std::vector<std::string> water;  ///< "key=value" of a layer
-  std::string oil;                 ///< a class or a file: tells of it alone
-  std::string air;                 ///< an atmosphere, a file or a scene: tells of it alone
+  std::string oil;                 ///< a class or a file, which is reported alone
+  std::string air;                 ///< an atmosphere, a file or a scene, which is reported alone
   std::string aerosol = "rural";   ///< of its lowest 2 km
   std::optional<double> visibility_km;  ///< without one the air is as the profile says
   std::vector<double> wavelength_nm;    ///< ascending; empty: those that light of the scene has
@@ -88,7 +88,7 @@ struct OpticsCommand {
 /// photic new: writes a commented scene to start from.
 struct NewCommand {
   std::string kind;
-  bool list = false;   ///< tells all kinds instead
+  bool list = false;   ///< lists all kinds instead
   std::string output;  ///< empty: standard output
   Call call;
 };

@@ -14,13 +14,13 @@ struct Candidate {
   std::string meaning;  ///< may be empty
 };
 
-/// What the words before the last one leave open.
+/// The choices that the words before the last one leave open.
 struct Typed {
   const CommandManual& photic;
   const CommandManual* command;
   const OptionManual* awaiting = nullptr;  ///< the option whose value comes next
   bool free = true;                        ///< other words than its value may come as well
-  std::size_t arguments = 0;               ///< how many have been given
+  std::size_t arguments = 0;               ///< their number so far
   std::vector<std::string> given = {};
 };
 
@@ -86,7 +86,7 @@ std::vector<Candidate> settings_of(const std::string& prefix, const std::string&
   return found;
 }
 
-/// What one of the alternatives in the name of a value stands for: "SCENE" of "SCENE|RESULT.nc".
+/// The candidates for one of the alternatives in the name of a value: "SCENE" of "SCENE|RESULT.nc".
 std::vector<Candidate> candidates_by_name(const std::string& name, const std::string& word,
                                           const CommandManual& photic) {
   if (name == "SCENE") return {{"*.toml", ""}};

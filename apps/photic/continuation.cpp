@@ -47,7 +47,7 @@ std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& fi
              .suggestion = fmt::format("continue with Photic {}, or start anew", run.version)}};
   }
   scene::Scene then = scene::read_scene_text(run.scene_toml, file, folder_of(file)).scene;
-  const scene::Scene now = estimator::scene_told(estimator::make_model(as_chosen(asked, then)));
+  const scene::Scene now = estimator::reported_scene(estimator::make_model(as_chosen(asked, then)));
   then.simulation.photons = now.simulation.photons;
   then.simulation.target_relative_error = now.simulation.target_relative_error;
   then.simulation.max_time_s = now.simulation.max_time_s;
@@ -106,7 +106,7 @@ Earlier take_up(const std::string& file, const scene::Scene& scene) {
 
 bool is_same_scene(const io::RunSoFar& run, const std::string& file, const scene::Scene& scene) {
   scene::Scene open = scene;
-  open.simulation.batch_photons.reset();  // how it is simulated, not what
+  open.simulation.batch_photons.reset();  // a matter of the simulation, not of the scene
   try {
     return obstacles(run, file, open).empty();
   } catch (const InputError&) {  // its scene is none to this program

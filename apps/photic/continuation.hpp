@@ -17,7 +17,7 @@ scene::Reading read_scene_of(const RunCommand& command);
 /// A result taken up by a run of the same scene.
 struct Earlier {
   run::Start start;
-  std::optional<Isa> lanes;  ///< that it ran in; none: the scalar engine
+  std::optional<Isa> lanes;  ///< the run's instruction set; none: the scalar engine
   std::uint64_t photons = 0;
   std::string history;
   std::string scene_file;  ///< seen from the result's folder; empty: not known
@@ -28,7 +28,7 @@ struct Earlier {
 /// for that are fewer than those there.
 Earlier take_up(const std::string& file, const scene::Scene& scene);
 
-/// Whether a result of this program is of this scene, but for when its run was to stop.
+/// Returns whether a result of this program is of this scene, but for when its run was to stop.
 bool is_same_scene(const io::RunSoFar& run, const std::string& file, const scene::Scene& scene);
 
 }  // namespace photic::app

@@ -1,4 +1,4 @@
-// Where a run's result goes, so that nothing is lost that took longer.
+// The place of a run's result, so that nothing is lost that took longer.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace photic::app {
 /// A place for a result.
 struct Place {
   std::string path;
-  std::string keep_as;  ///< where what is there goes; empty: nothing has to be kept
+  std::string keep_as;  ///< the new place of what is there; empty: nothing has to be kept
   std::string remark;   ///< a line for the user; may be empty
 };
 
@@ -23,7 +23,7 @@ class Destination {
   /// there should not be.
   Destination(std::string path, const Origin& origin, bool force);
 
-  /// Where this result goes, as things are now that it is known.
+  /// Returns the place of this result, as things are now that it is known.
   Place place_of(const tally::Result& result);
 
  private:

@@ -32,7 +32,8 @@ int open_lock(const std::string& path) {
   return file >= 0 ? file : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
 }
 
-/// Whether the path still leads to the open file: the one who held it may have removed it.
+/// Returns whether the path still leads to the open file: the process that held it may have removed
+/// it.
 bool is_there(int file, const std::string& path) {
   struct stat opened {
   }, found{};

@@ -24,7 +24,7 @@ struct Subject {
   std::string operator()(const app::CheckCommand& c) const { return c.scene; }
   std::string operator()(const app::ShowCommand& c) const { return c.file; }
   std::string operator()(const app::OpticsCommand& c) const { return c.scene; }
-  /// Of commands that read no scene.
+  /// The subject of commands that read no scene.
   template <class Other>
   std::string operator()(const Other& /*c*/) const {
     return {};

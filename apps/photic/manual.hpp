@@ -1,4 +1,4 @@
-// What the command line offers, as text: help on the terminal, and whatever else is made of it.
+// The command line's offer, as text: help on the terminal, and all that is made of it.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct OptionManual {
   std::string names;                 ///< "-o,--output"; of a positional "SCENE"
   std::string value;                 ///< "FILE"; empty: a flag
   std::string meaning;               ///< a sentence
-  std::vector<std::string> choices;  ///< of its value, if these are all
+  std::vector<std::string> choices;  ///< all values that it can have; empty: others, too
   bool positional = false;
   bool required = false;
   bool repeated = false;  ///< takes several values

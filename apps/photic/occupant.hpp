@@ -1,4 +1,4 @@
-// What stands already where a run is to write.
+// The file that stands where a run is to write.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace photic::app {
 
-/// What a result is made from.
+/// The scene that a result is made from.
 struct Origin {
   scene::Scene scene;
   std::string scene_file;  ///< seen from the result's folder; empty: not known
@@ -18,9 +18,9 @@ struct Occupant {
   enum class Kind {
     nobody,        ///< no file, or an empty one
     same_scene,    ///< a result of the same scene: its photons count
-    edited_scene,  ///< of the same scene file, when there was something else in it
-    some_scene,    ///< a text file, which does not tell its scene
-    other_scene,   ///< of another scene file
+    edited_scene,  ///< a result of an earlier state of the same scene file
+    some_scene,    ///< a text file, which does not name its scene
+    other_scene,   ///< a result of another scene file
     stranger       ///< no result of a run
   };
   Kind kind = Kind::nobody;
@@ -31,7 +31,7 @@ struct Occupant {
 /// Throws EnvironmentError if there is something that cannot be read.
 Occupant occupant_of(const std::string& file, const Origin& origin);
 
-/// Whether it is a result of a run.
+/// Returns whether the file is a result of a run.
 bool holds_echoes(const std::string& file);
 
 /// A scene file seen from the folder of a result, so that both may move.

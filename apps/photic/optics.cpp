@@ -8,8 +8,8 @@
 #include "medium/optical_table.hpp"
 #include "optics/data_folder.hpp"
 #include "photic/commands.hpp"
+#include "photic/optics_report.hpp"
 #include "photic/output.hpp"
-#include "photic/tell_optics.hpp"
 
 namespace photic::app {
 namespace {
@@ -54,13 +54,13 @@ medium::OpticalTable table_of(const scene::Scene& scene, const OpticsCommand& co
 }
 
 /// The water of the scene, and on the terminal the air above it.
-int tell_water(const OpticsCommand& command) {
+int report_water(const OpticsCommand& command) {
   const scene::Scene scene = read(command, command.scene);
   const optics::Library library(optics::find_data_folder());
   const auto water = table_of(scene, command, library, [&](const std::vector<double>& nm) {
     return medium::optical_table(scene, library, nm);
   });
-  tell(water, {scene.title, scene::write_scene(scene)}, command);
+  report(water, {scene.title, scene::write_scene(scene)}, command);
   if (!scene.atmosphere || command.json || !command.output.empty()) return done;
   const auto air = table_of(scene, command, library, [&](const std::vector<double>& nm) {
     return medium::air_table(scene, nm);
@@ -71,7 +71,7 @@ int tell_water(const OpticsCommand& command) {
 }
 
 /// The air of the scene that --air names.
-int tell_air_of_scene(const OpticsCommand& command) {
+int report_air_of_scene(const OpticsCommand& command) {
   if (command.visibility_km || command.aerosol != OpticsCommand().aerosol)
     throw UsageError(command.air +
                      ": --visibility and --aerosol are for profiles: change the air of a scene by "
@@ -85,16 +85,16 @@ int tell_air_of_scene(const OpticsCommand& command) {
   const auto air = table_of(scene, command, library, [&](const std::vector<double>& nm) {
     return medium::air_table(scene, nm);
   });
-  tell(air, {scene.title, scene::write_scene(scene)}, command);
+  report(air, {scene.title, scene::write_scene(scene)}, command);
   return done;
 }
 
 }  // namespace
 
 int run(const OpticsCommand& command) {
-  if (!command.oil.empty()) return tell_oil(command);
-  if (command.is_air_of_scene()) return tell_air_of_scene(command);
-  return command.air.empty() ? tell_water(command) : tell_air(command);
+  if (!command.oil.empty()) return report_oil(command);
+  if (command.is_air_of_scene()) return report_air_of_scene(command);
+  return command.air.empty() ? report_water(command) : report_air(command);
 }
 
 }  // namespace photic::app

@@ -149,7 +149,7 @@ void spare(const std::vector<std::string>& inputs, const std::string& output) {
 
 namespace {
 
-/// Whether a file is there and says just this.
+/// Returns whether a file is there and has just this text.
 bool holds(const std::string& path, std::string_view text) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream there;

@@ -1,4 +1,4 @@
-// What the program writes besides results (io/) and where results go.
+// The program's output besides results (io/), and the places of results.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes the text to standard error; nobody is left to tell if that fails.
+/// Writes the text to standard error; a failure cannot be reported anywhere.
 void print_error(std::string_view text);
 
 /// The same of what is not wrong, but should be seen; coloured on a terminal.
@@ -36,11 +36,11 @@ void print_table(const std::string& text);
 /// Writes the text to standard output. Throws EnvironmentError (a full disk behind a redirection).
 void print_out(std::string_view text);
 
-/// What a file's name says that it is, in small letters or capitals: .nc, .csv or .txt.
+/// The format that a file's name states, in small letters or capitals: .nc, .csv or .txt.
 enum class Format { netcdf, csv, text };
 std::optional<Format> format_of(const std::string& file);
 
-/// Whether an output is a folder: by its name, or because one is there.
+/// Returns whether an output is a folder: by its name, or because one is there.
 bool is_folder(const std::string& output);
 
 /// The output of a run: the one given, or the scene's name with .nc, in the folder that is given,
@@ -49,14 +49,14 @@ bool is_folder(const std::string& output);
 /// EnvironmentError for a folder that cannot be made.
 std::string result_path(const RunCommand& command);
 
-/// Of a command whose output is .nc or .csv, no result of a run, and must replace none. Throws
+/// Checks an output that is .nc or .csv, is no result of a run, and must replace none. Throws
 /// UsageError.
 void check_optics_output(const std::string& output, const std::string& scene);
 
 /// Throws UsageError if the output is one of the files that it is made of.
 void spare(const std::vector<std::string>& inputs, const std::string& output);
 
-/// What goes on from a result file and writes the longer one.
+/// The command that goes on from a result file and writes the longer one.
 std::string go_on_command(const Call& call, const std::string& earlier, const std::string& output);
 
 /// "Plot it:  photic plot my.nc -o my.png": nothing for what no plot can be made of.

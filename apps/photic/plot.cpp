@@ -31,8 +31,8 @@ fs::path package() {
                   places[0].string(), places[1].string()));
 }
 
-/// Tells the first module that a Python lacks, of those that plots need.
-constexpr const char* tell_missing =
+/// Prints the modules that plots need and a Python lacks.
+constexpr const char* list_missing =
     "import importlib.util as u; "
     "print('lacks:', "
     "*[m for m in ('numpy', 'xarray', 'netCDF4', 'matplotlib') if not u.find_spec(m)])";
@@ -53,7 +53,7 @@ struct Python {
 
 /// Asks a Python what it lacks.
 Python look_at(const std::string& program) {
-  const std::string ask = fmt::format("{} -c {}", quoted(program), quoted(tell_missing));
+  const std::string ask = fmt::format("{} -c {}", quoted(program), quoted(list_missing));
   std::FILE* pipe = popen((ask + " 2>/dev/null </dev/null").c_str(), "r");
   if (pipe == nullptr) return {program, "cannot be started"};
   std::string missing;
@@ -68,7 +68,7 @@ Python look_at(const std::string& program) {
   return {program, missing.empty() ? "" : "lacks" + missing};
 }
 
-/// The one that the user names, else the first that can draw plots: Debian's, whose packages
+/// The Python that the user names, else the first that can draw plots: Debian's, whose packages
 /// Photic's depends on, or the first in the PATH.
 std::string python() {
   const char* named = std::getenv("PHOTIC_PYTHON");

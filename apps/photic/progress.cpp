@@ -26,7 +26,7 @@ double photons_per_second(const run::Progress& p) {
   return p.elapsed_s > 0 ? static_cast<double>(p.photons - p.photons_before) / p.elapsed_s : 0.0;
 }
 
-/// How far towards the limit that is nearest; none when only the target can end the run.
+/// The progress towards the nearest limit; none when only the target can end the run.
 std::optional<double> share_of_limits(const run::Progress& p) {
   std::optional<double> out;
   if (p.photons_asked)

@@ -61,7 +61,7 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
-/// Of "from:to:step": from, and every step on that does not pass to.
+/// The wavelengths of "from:to:step": from, and every step on that does not pass to.
 std::vector<double> wavelength_range(const std::string& text) {
   const auto parts = split(text, ':');
   if (parts.size() != 3) refuse(text, "is not from:to:step (write 400:700:10)");

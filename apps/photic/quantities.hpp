@@ -18,7 +18,7 @@ std::string share_value(const std::string& text);
 double seconds(const std::string& text);
 std::string seconds_value(const std::string& text);
 
-/// As seconds(): from 1 s to a day, the time of a comparison.
+/// The time of a comparison, read as by seconds(): from 1 s to a day.
 double bench_seconds(const std::string& text);
 
 /// A whole number from 0.

@@ -44,7 +44,7 @@ std::string where_it_is(const tally::Result& result, const Call& call, const std
   return out + plot_hint(call, path);
 }
 
-/// What the terminal shows of the echoes.
+/// The echoes as the terminal shows them.
 std::string table(const tally::Result& result, const RunCommand& command) {
   constexpr int no_terminal = 100;
   const auto width = static_cast<std::size_t>(columns(Stream::out, no_terminal));
@@ -58,8 +58,8 @@ void print_echoes(const tally::Result& result, const RunCommand& command) {
   command.json ? print_out(io::echo_json(result)) : print_table(table(result, command));
 }
 
-/// Prints what a run came to; where it is goes to standard error if the rest is for a program.
-void tell(const tally::Result& result, const RunCommand& command, const std::string& place) {
+/// Prints a run's result; its place goes to standard error if the rest is for a program.
+void report(const tally::Result& result, const RunCommand& command, const std::string& place) {
   if (command.quiet) {
     for (const std::string& warning : result.warnings) print_warning(warning + '\n');
     if (command.json) print_echoes(result, command);
@@ -99,7 +99,7 @@ std::string write(const tally::Result& result, Destination& destination, const P
   return place.path;
 }
 
-/// What the command says of the run besides its scene.
+/// The options that the command gives for the run besides its scene.
 run::RunOptions options_of(const RunCommand& command, std::optional<Isa> lanes,
                            std::optional<run::Start> start) {
   run::RunOptions options;
@@ -195,7 +195,7 @@ int run(const RunCommand& command) {
     print_error(checkpoint.leftover(0));
     throw;
   }
-  tell(result, command, where_it_is(result, command.call, path, checkpoint.finish(result)));
+  report(result, command, where_it_is(result, command.call, path, checkpoint.finish(result)));
   return result.partial ? interrupt_exit_code() : done;
 }
 

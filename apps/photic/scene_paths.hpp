@@ -1,4 +1,4 @@
-// Where a scene has values, for --set.
+// The places of a scene's values, for --set.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct ScenePath {
   std::vector<SceneChoice> choices;  ///< the only values that it takes; empty: others
 };
 
-/// All values that a scene may have, as its schema tells them.
+/// All values that a scene may have, by its schema.
 std::vector<ScenePath> scene_paths();
 
 }  // namespace photic::app

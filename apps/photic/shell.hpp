@@ -12,9 +12,9 @@ std::string quoted(const std::string& word);
 /// A file's name that no program takes for an option: "./-my.nc".
 std::string as_file(const std::string& name);
 
-/// How the program was called.
+/// The call of the program.
 struct Call {
-  std::string program = "photic";  ///< as typed: what starts it again from the same place
+  std::string program = "photic";  ///< as typed, to start it again from the same place
   std::string line;                ///< "photic run 'my scene.toml'", for the history of a result
   std::vector<std::string> words;  ///< after the program's name
 

@@ -43,7 +43,7 @@ std::string comments(const std::string& head, const std::vector<std::string>& it
 /// telescopes share them, and where every number comes from.
 std::string notes_on(const estimator::Model& model) {
   const tally::Result result = estimator::describe(model);
-  const auto of_air = model.air ? medium::air_told(estimator::scene_told(model), *model.air)
+  const auto of_air = model.air ? medium::air_told(estimator::reported_scene(model), *model.air)
                                 : std::vector<std::string>{};
   return comments(
              "The share of each open lens whose rays reach the detector, from points on its axis",
@@ -60,8 +60,8 @@ int run(const ShowCommand& command) {
   const scene::Reading reading = read(command);
   for (const std::string& remark : reading.remarks) print_warning(remark + '\n');
   const estimator::Model model = estimator::make_model(reading.scene);
-  print_out(command.json ? scene::write_scene_json(estimator::scene_told(model)) + '\n'
-                         : scene::write_scene(estimator::scene_told(model)) + notes_on(model));
+  print_out(command.json ? scene::write_scene_json(estimator::reported_scene(model)) + '\n'
+                         : scene::write_scene(estimator::reported_scene(model)) + notes_on(model));
   return done;
 }
 

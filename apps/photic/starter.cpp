@@ -41,7 +41,7 @@ void call_by_name(std::string& text, const std::string& kind, const fs::path& fi
   }
 }
 
-std::string told(const std::string& file, bool written) {
+std::string outcome(const std::string& file, bool written) {
   return file + (written ? ": written" : ": exists already");
 }
 
@@ -50,12 +50,12 @@ void write_files_of(const std::string& kind, const fs::path& folder) {
   for (const scene::StarterFile& file : scene::starter_files(kind)) {
     const std::string path = (folder / file.name).string();
     const bool written = write_new_file(path, file.text, "choose another folder with -o");
-    print_out(told(path, written) + '\n');
+    print_out(outcome(path, written) + '\n');
   }
 }
 
-/// Of a scene that went to standard output.
-void tell_files_of(const std::string& kind) {
+/// Names the files of a scene that went to standard output.
+void report_files_of(const std::string& kind) {
   for (const scene::StarterFile& file : scene::starter_files(kind))
     print_warning(
         fmt::format("the scene reads {0}: photic new {1} -o FILE writes both\n", file.name, kind));
@@ -80,7 +80,7 @@ int run(const NewCommand& command) {
   std::string text = schema_line() + scene::starter_scene(command.kind);
   if (command.output.empty()) {
     print_out(text);
-    tell_files_of(command.kind);
+    report_files_of(command.kind);
     return done;
   }
   const std::string output = is_folder(command.output)
@@ -89,7 +89,7 @@ int run(const NewCommand& command) {
   call_by_name(text, command.kind, fs::path(output).filename());
   write_files_of(command.kind, fs::path(output).parent_path());
   const bool written = write_new_file(output, text, "choose another name with -o");
-  print_out(told(output, written) +
+  print_out(outcome(output, written) +
             "; check it with: " + command.call.command({"check", as_file(output)}) + '\n');
   return done;
 }

@@ -19,8 +19,8 @@ void add_overrides(CLI::App& app, std::vector<scene::Override>& overrides) {
       ->allow_extra_args(false);
 }
 
-/// An option whose text is checked when it is read: a std::invalid_argument is reported with the
-/// flag.
+/// Adds an option whose text is checked when it is read: a std::invalid_argument is reported with
+/// the flag.
 void add_checked(CLI::App& app, const std::string& flag, const std::string& type,
                  const std::string& description,
                  const std::function<void(const std::string& text)>& take) {
@@ -123,7 +123,7 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& value
       {"photic run my.toml -o uv.nc --set source.wavelength_nm=355", "another laser"}};
 }
 
-/// What is drawn, and how, is the Python package's business: it checks the values.
+/// Adds `photic plot`. The Python package checks its values.
 void add_plot(CLI::App& app, PlotCommand& plot, Notes& notes) {
   CLI::App& sub =
       *app.add_subcommand("plot", "Draw results, or what photic optics wrote, as a picture");
@@ -187,7 +187,7 @@ std::string not_a_pair(const std::string& text) {
   return fmt::format("'{}' is not KEY=VALUE (write chlorophyll_mg_m3=0.5)", text);
 }
 
-/// What is shown instead of a scene's water.
+/// Adds the subjects that may be shown instead of a scene's water.
 void add_optics_subjects(CLI::App& sub, OpticsCommand& optics) {
   sub.add_option("--water", optics.water,
                  "Instead of a scene: one layer with these keys (chlorophyll_mg_m3=0.5 "

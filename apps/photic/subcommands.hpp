@@ -12,7 +12,7 @@
 
 namespace photic::app {
 
-/// What the command line fills in.
+/// The values that the command line fills in.
 struct Commands {
   RunCommand run;
   PlotCommand plot;
@@ -26,7 +26,7 @@ struct Commands {
   std::vector<scene::Override> values;
 };
 
-/// What the manual tells, and CLI11 does not keep.
+/// Notes for the manual that CLI11 does not keep.
 struct Notes {
   std::map<const CLI::Option*, std::vector<std::string>> choices;
   std::map<std::string, std::vector<Example>> examples;  ///< of a subcommand; "photic": of all

@@ -1,4 +1,4 @@
-// What a terminal shows: its width, and whether text may be coloured.
+// The terminal's properties: its width, and whether text may be coloured.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace photic::app {
 
-/// Where text goes: standard output or standard error.
+/// The stream of a text: standard output or standard error.
 enum class Stream { out, error };
 
-/// Whether a person sees it: it goes to a terminal.
+/// Returns whether a person sees it: whether it goes to a terminal.
 bool is_terminal(Stream stream);
 
 /// Columns of the terminal, or `otherwise` where it goes to a file or a pipe.

@@ -28,7 +28,7 @@ std::string data_folder() {
   }
 }
 
-/// Those that were built, the best first.
+/// The instruction sets that were built, the best first.
 std::vector<std::string> instruction_sets() {
   std::vector<std::string> out;
   for (const Isa isa : isas) {
@@ -43,9 +43,9 @@ std::vector<std::string> instruction_sets() {
 }  // namespace
 
 int run(const VersionCommand& /*command*/) {
-  print_out(fmt::format(
-      "photic {}\ncompiler: {}, {}\ninstruction sets: {}\ndata: {}\n", PHOTIC_VERSION,
-      compiler, PHOTIC_BUILD_TYPE, fmt::join(instruction_sets(), ", "), data_folder()));
+  print_out(fmt::format("photic {}\ncompiler: {}, {}\ninstruction sets: {}\ndata: {}\n",
+                        PHOTIC_VERSION, compiler, PHOTIC_BUILD_TYPE,
+                        fmt::join(instruction_sets(), ", "), data_folder()));
   return done;
 }
 

@@ -7,7 +7,7 @@
 
 namespace photic {
 
-/// What the series below start from: the cells of an octave.
+/// The starting points of the series below: the cells of an octave.
 struct OctaveTables {
   CellTable power;    ///< 2^-x
   CellTable inverse;  ///< a cell's width over 1 + x

@@ -1,4 +1,4 @@
-// What can go wrong. Bad input is collected as diagnostics and reported all at once; a failed
+// Kinds of failure. Bad input is collected as diagnostics and reported all at once; a failed
 // environment (disk, memory, missing data file) is an exception; a bug hits a contract.
 #pragma once
 
@@ -20,7 +20,7 @@ struct Diagnostic {
   int line = 0;      ///< from 1; 0 when the file has no lines
   int column = 0;    ///< from 1
   std::string reason;
-  std::string suggestion;  ///< what to do; may be empty
+  std::string suggestion;  ///< the advice; may be empty
 
   [[nodiscard]] std::string text() const;
 };

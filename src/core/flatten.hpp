@@ -1,6 +1,7 @@
-// PHOTIC_FLATTEN: everything that the function calls becomes part of it, which the loops of photons
-// live by. Not where a sanitizer would take minutes to see through what comes out.
-// PHOTIC_APART: never part of such a loop, whose registers are too few for what few scenes need.
+// PHOTIC_FLATTEN: everything that the function calls becomes part of it: the loops of photons need
+// that. It is off where a sanitizer would take minutes to see through the result.
+// PHOTIC_APART: the function is never part of such a loop, whose registers are too few for code
+// that few scenes need.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -18,18 +18,17 @@ inline double geometric_lerp(double from, double to, double t) {
   return from == 0 || to == 0 ? (1 - t) * from + t * to : std::pow(from, 1 - t) * std::pow(to, t);
 }
 
-/// Where a number lies among others.
+/// The place of a number among others.
 struct Interval {
   std::size_t upper;  ///< the index of the interval's upper end, at least 1
   double t;           ///< the way from the lower end, 0, to the upper, 1; beyond where x is outside
 };
 
-/// Of two or more ascending numbers, the interval that x is in: the first or the last for x
-/// outside.
+/// The interval of two or more ascending numbers that x is in: the first or the last for x outside.
 inline Interval interval_of(const std::vector<double>& ascending, double x) {
   const auto above = std::upper_bound(ascending.begin() + 1, ascending.end() - 1, x);
   const double low = *(above - 1), high = *above;
-  // By halves, which are exact and whose differences are finite.
+  // Halves are exact, and their differences finite.
   return {static_cast<std::size_t>(above - ascending.begin()),
           (x / 2 - low / 2) / (high / 2 - low / 2)};
 }

@@ -32,7 +32,7 @@ bool is_built(Isa isa) {
 
 bool is_of_processor(Isa isa) {
 #if defined(__x86_64__)
-  // What the files are compiled with: cmake/photic.cmake, cmake/isas.cmake.
+  // The extensions that the files are compiled with: cmake/photic.cmake, cmake/isas.cmake.
   const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");

@@ -16,11 +16,11 @@ inline constexpr std::array isas{Isa::baseline, Isa::avx2, Isa::avx512};
 const char* isa_name(Isa isa);
 /// None if there is none of this name.
 std::optional<Isa> isa_of(std::string_view name);
-/// Whether lanes of this build are compiled for it.
+/// Returns whether lanes of this build are compiled for it.
 bool is_built(Isa isa);
-/// Whether this processor has it.
+/// Returns whether this processor has it.
 bool is_of_processor(Isa isa);
-/// Whether this build has it, and this processor.
+/// Returns whether this build has it, and this processor.
 bool runs_here(Isa isa);
 /// All that run here, from the least to the best; never none.
 std::vector<Isa> isas_here();

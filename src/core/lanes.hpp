@@ -1,4 +1,4 @@
-// The lane type: what a template over T may do with T besides arithmetic.
+// The lane type: the operations on T, besides arithmetic, of a template over T.
 //
 // Transport code is written once, for a T that is one double (the reference), one float, or a pack
 // of them that walks several photons at a time. Such code never branches on a value: it blends with
@@ -25,7 +25,7 @@ void unrolled(F f) {
   }(std::make_index_sequence<n>());
 }
 
-/// What belongs to a lane type: its mask, its integers, its element.
+/// The types that belong to a lane type: its mask, its integers, its element.
 template <class T>
 struct LaneTraits;
 
@@ -256,7 +256,7 @@ constexpr void expand(bool mask, const V* from, V& value) {
   if (mask) value = *from;
 }
 
-/// How many lanes a mask has.
+/// The number of lanes that a mask holds.
 template <class M>
 std::uint32_t count(const M& mask) {
   return static_cast<std::uint32_t>(std::popcount(lane_bits(mask)));
@@ -281,7 +281,7 @@ inline double larger(double a, double b) { return a > b ? a : b; }
 inline std::int32_t floor_index(double x) { return static_cast<std::int32_t>(x); }
 inline std::int32_t floor_index(float x) { return static_cast<std::int32_t>(x); }
 
-/// Where a positive x lies on a grid with 2^bits equal cells in every octave: the number of its
+/// The place of a positive x on a grid with 2^bits equal cells in every octave: the number of its
 /// cell counted from that of 1.0 (negative below), and the fraction of the cell below x, 0 <=
 /// fraction < 1.
 template <class T>

@@ -1,4 +1,4 @@
-// How many members a record has, counted where it is compiled.
+// The number of members of a record, counted at compile time.
 #pragma once
 
 #include <concepts>
@@ -20,7 +20,8 @@ struct OfOneLane<Record<T>> {
   using type = Record<double>;
 };
 
-/// Of a Record<T>, which calls f(member) for each of its reals (T) and integers in each_member(f).
+/// The members of a Record<T>, which calls f(member) for each of its reals (T) and integers in
+/// each_member(f).
 template <class Record>
 constexpr MemberCount count_members() {
   MemberCount count;

@@ -1,9 +1,9 @@
-// What the vector extension of the compilers does not have, or does badly: masks, square roots and
-// wide products by the instructions of x86, each with a plain loop for other processors; what moves
-// lanes is in pack_native_memory.hpp.
+// Operations that the vector extension of the compilers lacks, or does badly: masks, square roots
+// and wide products by the instructions of x86, each with a plain loop for other processors;
+// pack_native_memory.hpp has the operations that move lanes.
 //
-// Everything here depends on what the file that includes it is compiled for: see cmake/photic.cmake
-// for how such code is kept apart (photic_for_each_isa).
+// Everything here depends on the processor that the including file is compiled for: see
+// cmake/photic.cmake for how such code is kept apart (photic_for_each_isa).
 #pragma once
 
 #if defined(__x86_64__)

@@ -1,5 +1,5 @@
 // Lanes that come from memory, go there, or change places, by the instructions of x86, each with a
-// plain loop for other processors (a part of pack_native.hpp, which tells what this depends on).
+// plain loop for other processors (a part of pack_native.hpp, which states what this depends on).
 #pragma once
 
 #include <array>
@@ -99,11 +99,10 @@ Vector<E, N> gather_short(const E* data, std::int32_t size, const Vector<std::in
 }
 
 #if defined(__AVX2__)
-/// Of four numbers of a and four of b, and again of each four that follow, the first two of each in
-/// turn; or the last two.
+/// The first two of each four numbers of a and of b, in turn; or the last two.
 inline __m256 first_in_turn(__m256 a, __m256 b) { return _mm256_unpacklo_ps(a, b); }
 inline __m256 last_in_turn(__m256 a, __m256 b) { return _mm256_unpackhi_ps(a, b); }
-/// Of the same numbers, the first and the third ones, a's before b's; or the others.
+/// The first and third of the same numbers, a's before b's; or the others.
 inline __m256 even_of(__m256 a, __m256 b) { return _mm256_shuffle_ps(a, b, 0x88); }
 inline __m256 odd_of(__m256 a, __m256 b) { return _mm256_shuffle_ps(a, b, 0xdd); }
 #endif
@@ -281,7 +280,7 @@ Vector<E, N> expand(MaskBits<N> mask, Vector<E, N> lanes, const E* from) {
 }
 
 #if defined(__AVX2__)
-/// Of each sixteen bytes those whose numbers stand in each sixteen of another vector.
+/// The bytes of each sixteen whose numbers stand in each sixteen of another vector.
 inline __m256i pick_bytes(__m256i from, __m256i number) {
   return _mm256_shuffle_epi8(from, number);
 }
@@ -297,7 +296,7 @@ inline __m512i repeated(__m128i bytes, std::integral_constant<int, 16>) {
 }
 #endif
 
-/// What bytes become that are read backwards: the halves of a byte by two tables, then the bytes.
+/// The bytes as they are read backwards: the halves of a byte by two tables, then the bytes.
 struct BackwardsTables {
   alignas(16) std::array<std::uint8_t, 16> of_upper_half{}, of_lower_half{}, of_bytes{};
   constexpr BackwardsTables() {

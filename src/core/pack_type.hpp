@@ -14,7 +14,7 @@
 
 namespace photic {
 
-/// Which of N lanes are meant.
+/// The selection of some of N lanes.
 template <int N>
 struct PackMask {
   using Native = native::MaskBits<N>;

@@ -53,7 +53,7 @@ struct WordPair {
   WordPair operator^(const TwoWords& b) const { return {first ^ W(b[0]), second ^ W(b[1])}; }
 };
 
-/// Those of one photon, side by side in a register: a round is five instructions.
+/// The words of one photon, side by side in a register: a round is five instructions.
 template <>
 struct WordPair<std::uint64_t> {
   TwoWords v;

@@ -1,5 +1,5 @@
-// Random numbers by counter: what a photon draws depends on its number alone, never on who walks
-// it, nor on who walks beside it.
+// Random numbers by counter: a photon's draws depend on its number alone, neither on the thread
+// that walks it nor on the photons beside it.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace photic {
 
-/// Where in the stream a photon stands.
+/// The place of a photon in the stream.
 template <class T>
 struct RandomPlace {
   RandomKey key;
@@ -41,7 +41,7 @@ constexpr T uniform_from(std::uint64_t word) {
   return uniform_from_word<T>(static_cast<std::uint32_t>(word));
 }
 
-/// What the choice u < share leaves of an even u: even again, whatever was chosen.
+/// The rest of an even u after the choice u < share: even again, whatever was chosen.
 template <class T>
 T left_of_choice(const T& u, const T& share) {
   const Mask<T> chosen = u < share;

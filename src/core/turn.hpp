@@ -13,7 +13,7 @@ struct CosSin {
   T cosine, sine;
 };
 
-/// Of the directions of a rose, at the cells of a turn.
+/// Cosines and sines of the directions of a rose, at the cells of a turn.
 struct Rose {
   CellTable cosine, sine;
 };

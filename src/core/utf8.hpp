@@ -6,10 +6,10 @@
 
 namespace photic {
 
-/// Whether a byte goes on with the letter before it.
+/// Returns whether a byte goes on with the letter before it.
 constexpr bool continues_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-/// How many there are.
+/// The number of letters.
 constexpr std::size_t letters(std::string_view text) {
   std::size_t count = 0;
   for (const char c : text) count += continues_letter(c) ? 0 : 1;

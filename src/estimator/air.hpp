@@ -16,7 +16,7 @@
 
 namespace photic::estimator {
 
-/// Of a model with air.
+/// The model of the air of a model.
 Model model_of_air(const Model& model);
 
 /// The same model by the forward estimator's histories.
@@ -55,7 +55,7 @@ class AirWorld {
   AirWorld(const AirWorld&) = delete;
   AirWorld& operator=(const AirWorld&) = delete;
 
-  /// Of walks that stay in the air, or of histories.
+  /// The world of walks that stay in the air, or of histories.
   [[nodiscard]] const World<T>& air() const { return air_; }
 
  private:

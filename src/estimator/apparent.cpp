@@ -8,7 +8,7 @@
 namespace photic::estimator {
 namespace {
 
-/// Of one instrument; what its angles are multiplied by.
+/// Moves one instrument; returns the factor of its angles.
 template <class Instrument>
 double put_where_it_seems(const medium::Air& air, Instrument& instrument,
                           geometry::TooLong& too_long) {

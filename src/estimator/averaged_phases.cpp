@@ -21,8 +21,8 @@ struct Rings {
   double whole = 0;               ///< up to this 1 - cos rings lie in the cone as a whole
   std::vector<double> x, weight;  ///< of the others
 };
-/// At angles whose logarithms are those of a Chebyshev rule, which is right for the square roots at
-/// its ends.
+/// Rings at angles whose logarithms are those of a Chebyshev rule, which is right for the square
+/// roots at its ends.
 Rings rings_at(double a, double d) {
   Rings out;
   if (a < d) out.whole = one_minus_cos_of(d - a);
@@ -115,7 +115,7 @@ class Cone {
     }
   }
 
-  /// Of a table: AveragedPhases::line.
+  /// The lines of a table: AveragedPhases::line.
   [[nodiscard]] std::vector<double> lines(const PhaseView& phases, std::int32_t table) const {
     const Cumulative forward(phases, table, false), backward(phases, table, true);
     std::vector<double> out;
@@ -153,8 +153,8 @@ class Cone {
   std::vector<Cell> cell_;
 };
 
-/// Of the part of an entry cone that free walks begin in: the shares of all its narrower ones,
-/// which end where its rings do.
+/// The mean over the part of an entry cone that free walks begin in: the shares of all its narrower
+/// ones, which end where its rings do.
 class MeanOverCone {
  public:
   explicit MeanOverCone(const EntryCone<double>& cone) {

@@ -19,8 +19,8 @@ inline std::int32_t of_telescope(std::size_t telescope) {
   return 1 + static_cast<std::int32_t>(telescope);
 }
 
-/// What a walk sees of them: against x = 1 - cos of the angle to the cone's axis, straight lines in
-/// equal cells of each octave of x, and of 2 - x behind 90 degrees.
+/// Means as walks look them up: against x = 1 - cos of the angle to the cone's axis, straight lines
+/// in equal cells of each octave of x, and of 2 - x behind 90 degrees.
 struct AveragedPhases {
   static constexpr int cell_bits = 6;
   /// The first cells reach from the poles to there: 5 microradians, and 0.3 degrees.
@@ -73,7 +73,7 @@ struct AveragedPhases {
 class AveragedPhaseTables {
  public:
   AveragedPhaseTables() = default;
-  /// Of all tables of a medium, for instruments in their order.
+  /// The means of all tables of a medium, for instruments in their order.
   AveragedPhaseTables(const medium::Medium& medium, const std::vector<EntryCone<double>>& cones);
 
   [[nodiscard]] AveragedPhases view() const;
@@ -83,7 +83,7 @@ class AveragedPhaseTables {
   std::int32_t tables_ = 0;
 };
 
-/// Of a scene.
+/// The means of a scene.
 AveragedPhaseTables averaged_phases(const scene::Scene& scene, const medium::Medium& medium);
 
 }  // namespace photic::estimator

@@ -1,6 +1,6 @@
 // Light that passes the surface goes on in the other medium: from the water in the air, or from
 // there in the water. Each is followed in a world of its own. That of the air is upside down, so
-// that light which leaves one medium sets out downwards in the other.
+// that light that leaves one medium sets out downwards in the other.
 #pragma once
 
 #include "estimator/event.hpp"
@@ -9,8 +9,8 @@
 
 namespace photic::estimator {
 
-/// Those who are `on` leave a world's medium in a direction, and set out in the other one. What
-/// they have touched of the water tells them from light that never was there.
+/// Photons that are `on` leave a world's medium in a direction, and set out in the other one. Their
+/// record of the water they touched separates them from light that never was there.
 template <class T>
 void go_beyond(const World<T>& world, const Vec3<T>& direction, Track<T>& gone) {
   gone.colliding = Mask<T>(false);

@@ -11,18 +11,18 @@
 
 namespace photic::estimator {
 
-/// What became of walks that stood at the surface.
+/// The fate of walks that stood at the surface.
 template <class T>
 struct ByFacets {
-  Mask<T> in_water{};  ///< who goes down in the water
+  Mask<T> in_water{};  ///< walks that go down in the water
   Mask<T> several{};   ///< by way of more than one facet
   /// A telescope's walk's chance to go so over that of the laser's.
   T chance{1};
   T into_film{};  ///< weight of the laser's walks that a film of oil has absorbed
 };
 
-/// Which facets walks are to meet: several, by which they come down from the air; or such that send
-/// them back into the water, most of them at once. Their weight takes the chance of that.
+/// The facets that walks are to meet: several, by which they come down from the air; or such that
+/// send them back into the water, most of them at once. Their weight takes the chance of that.
 enum class Facets : std::int8_t { any, several, that_return };
 
 /// The block of one of a facet's two parts; an instrument's walks add their first block.
@@ -30,7 +30,8 @@ inline constexpr std::uint32_t block_of_facet(std::uint32_t facet, std::uint32_t
   return walk_facet_blocks[(2 * facet + part) * walk_blocks.count];
 }
 
-/// Walks of the laser's light, of a mask. met(mask, meeting) is told of each facet.
+/// Leads walks of a mask, of the laser's light, by facets. met(mask, meeting) is called for each
+/// facet.
 template <class T, class Draw, class Met>
 ByFacets<T> light_by_facets(const surface::RoughSurface<T>& surface, transport::Photon<T>& photon,
                             const Mask<T>& stand, bool in_air, Facets which, Draw draw,

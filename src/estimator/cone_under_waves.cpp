@@ -16,8 +16,8 @@
 namespace photic::estimator {
 namespace {
 
-/// How much of the light that comes down along a direction goes into the water by way of several
-/// facets. From a thousand rays, always the same ones.
+/// The share of the light that comes down along a direction and goes into the water by way of
+/// several facets. From a thousand rays, always the same ones.
 double share_of_several(const medium::MediumView& sea, const Vec3<double>& outside) {
   constexpr int rays = 1024;
   const auto surface = surface::rough_surface<double>(sea, 0);
@@ -72,8 +72,8 @@ constexpr double farthest = 5 * transport::wider_slopes;
 /// wider than what slopes do with light from so deep [m].
 constexpr double by_slopes_from = 10;
 
-/// How slopes and rays turn light in the water at a ray with the cosine `steep` to the vertical
-/// there: angle there per slope, and per angle in the air.
+/// The turning of light in the water by slopes and rays, at a ray with the cosine `steep` to the
+/// vertical there: angle there per slope, and per angle in the air.
 struct Turning {
   double per_slope, per_angle, slope;  ///< `slope`: the larger deviation of slopes
 };
@@ -83,8 +83,8 @@ Turning turning_at(double steep, const medium::Medium& medium) {
   const double per_angle = std::sqrt(std::max(0.0, 1 - n * n * (1 - steep * steep))) / (n * steep);
   return {1 - per_angle, per_angle, std::max(waves.upwind_deviation, waves.crosswind_deviation)};
 }
-/// Of an instrument that stands so high. `radius`: of the spot that its rays fill on the surface,
-/// across them [m].
+/// Returns whether the rays of an instrument at such a height are wider than slopes make them.
+/// `radius`: of the spot that its rays fill on the surface, across them [m].
 bool are_wider_than_slopes(double height, double radius, const EntryCone<double>& flat,
                            const medium::Medium& medium) {
   if (height < 0 || medium.view().waves.one_dimensional) return false;
@@ -154,11 +154,11 @@ EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, 
   return cone;
 }
 
-/// So many walks of an instrument in the water begin at the facets, of those whose rays go up; and
-/// of all no fewer than the least, if any rays do.
+/// The share of walks that begin at the facets, of those of an instrument in the water whose rays
+/// go up; and its least share of all walks, if any rays do.
 constexpr double share_by_facets = 0.25, min_by_facets = 0.02;
 
-/// How much of a cone goes up.
+/// The share of a cone that goes up.
 double share_upwards(const Vec3<double>& axis, double half_angle) {
   if (std::asin(std::clamp(axis.z, -1.0, 1.0)) + half_angle <= 0) return 0;
   constexpr int rings = 64, azimuths = 64;

@@ -11,10 +11,11 @@
 
 namespace photic::estimator {
 
-/// Those of `at` who meet facets do so until they have left the surface. observe(at, facet) is told
-/// before each facet that is met, met(mask, meeting) behind it; emit(at, facet) tells who goes down
-/// in the water as light that a film of oil emits. leave(mask, direction, weight) is told of
-/// what rises in the air: weight that is split off, or else whole photons.
+/// Has the photons of `at` meet facets until they have left the surface. observe(at, facet) is
+/// called before each facet that is met, met(mask, meeting) behind it; emit(at, facet) returns the
+/// photons that go down in the water as light that a film of oil emits. leave(mask, direction,
+/// weight) is called for the light that rises in the air: weight that is split off, or else whole
+/// photons.
 template <class T, class Ledger, class Observe, class Emit, class Met, class Leave>
 void cross_waves(const World<T>& world, const RandomPlace<T>& place, Track<T>& t,
                  transport::AtWaves<T> at, bool splits, Ledger& ledger, Observe observe, Emit emit,

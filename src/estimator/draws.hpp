@@ -35,7 +35,7 @@ class Draws {
     return Counter<T>(batch_) + to_counter<T>(n);
   }
 
-  /// Of an event of the batch's photon n, or of the walk that goes with it.
+  /// The numbers of an event of the batch's photon n, or of the walk that goes with it.
   [[nodiscard]] std::array<T, 4> operator()(const Index<T>& n, const Index<T>& event,
                                             std::uint32_t block) const {
     const Mask<T> early = event < Index<T>(spread_events(block));
@@ -46,7 +46,7 @@ class Draws {
     for (std::size_t i = 0; i < u.size(); ++i) u[i] = select(early, v[i], u[i]);
     return u;
   }
-  /// Of the same event of the batch's photons n, n + 1, … in the lanes.
+  /// The numbers of the same event of the batch's photons n, n + 1, … in the lanes.
   [[nodiscard]] std::array<T, 4> together(std::int32_t n, std::int32_t event,
                                           std::uint32_t block) const {
     if (event >= spread_events(block))
@@ -82,7 +82,7 @@ class Draws {
     }
     return u;
   }
-  /// Of an event's block.
+  /// The first coordinate of an event's block.
   template <class I>
   [[nodiscard]] I first_coordinate(const I& event, std::uint32_t block) const {
     return I(4) * (event * I(quasi_random_blocks) + I(first_slot_ + block));
@@ -94,7 +94,7 @@ class Draws {
   std::array<std::uint32_t, quasi_random_dimensions> keys_{};  ///< of each coordinate
 };
 
-/// Of photons and the laser's walks; a telescope's have the blocks above.
+/// The draws of photons and the laser's walks; a telescope's have the blocks above.
 template <class T>
 Draws<T> draws_of_laser(const World<T>& world, std::uint64_t batch) {
   return {world, batch, 0, 0};

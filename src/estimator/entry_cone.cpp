@@ -55,7 +55,8 @@ void each_ray(const Rays& rays, const medium::Medium& medium, F f) {
   }
 }
 
-/// What lies between two azimuths is farther by no more than (pi / 256)^2 / 2 of all.
+/// The factor for points between two azimuths, which are farther by no more than (pi / 256)^2 / 2
+/// of all.
 constexpr double between = 1 + 1e-4;
 
 /// `path`: of a ray to the surface, or where it begins to spread in the water, as walks count it.
@@ -128,7 +129,7 @@ EntryCone<double> cone_of(const Rays& rays, const medium::Medium& medium) {
   if (!cone.in_air) {
     cone.axis = rays.axis;
     cone.steep = std::abs(rays.axis.z);
-    // Of a tilted instrument's points some are deeper than others; and flat rays come far by little
+    // Some points of a tilted instrument are deeper than others; and flat rays come far by little
     // depth.
     constexpr double flattest = 0.2;
     cone.by_depth = rays.half_angle > 0 && rays.vertical() && std::cos(rays.half_angle) >= flattest;
@@ -176,7 +177,7 @@ Rays rays_of(const scene::Source& source) {
           !geometry::stands_in_water(source.position_m)};
 }
 
-/// What paths of an instrument in the medium leave out.
+/// The ways that paths of an instrument in the medium leave out.
 geometry::Ahead ahead_in(const medium::Medium& medium, const Rays& rays) {
   if (!medium.upside_down) return {};
   return geometry::ahead_of_air(rays.position, rays.axis, medium.air_m);
@@ -247,7 +248,7 @@ EntryCone<double> entry_cone(const scene::Source& source, const medium::Medium& 
   cone.spot = spot_of(from_vertex, medium, cone.axis, deepest, [&](const Vec3<double>& outside) {
     const double secant = 1 / dot(outside, laser.axis);
     if (!rays.in_air) return -(laser.vertex_distance * secant + left_out.length + left_out.to_sea);
-    // Of the way from the disc on, what is longer than the axis' own to its start.
+    // The excess of the way from the disc on over the axis' own to its start.
     return from_vertex.position.z / -outside.z - laser.vertex_distance * secant - laser.ahead;
   });
   return cone;

@@ -1,6 +1,6 @@
-// The directions in which the bidirectional estimator's walks begin. Those that may be free begin
-// evenly in a cone in the water about an instrument's axis, as the flat surface refracts that: what
-// such a walk draws beyond its first vertex is as likely wherever its instrument stands (theory.md,
+// The directions in which the bidirectional estimator's walks begin. Walks that may be free begin
+// evenly in a cone in the water about an instrument's axis, as the flat surface refracts that: such
+// a walk's draws beyond its first vertex are as likely wherever its instrument stands (theory.md,
 // "Free walks"). The others begin with the instrument's own rays, evenly in its cone outside.
 #pragma once
 
@@ -18,8 +18,8 @@
 
 namespace photic::estimator {
 
-/// Where an instrument's rays come to in the water, and by how long a way at least: a circle about
-/// its axis that widens with depth.
+/// The spot of an instrument's rays in the water, and their least path there: a circle about its
+/// axis that widens with depth.
 template <class T>
 struct Spot {
   T x{}, y{}, x_per_depth{}, y_per_depth{};  ///< of the axis, from the instrument's middle [m]
@@ -63,7 +63,7 @@ struct EntryCone {
 
   /// The share of the others: they come by one facet, or straight from an instrument in the water.
   [[nodiscard]] T others() const { return T(1) - by_facets; }
-  /// Whether a direction in the water is one that free walks begin in.
+  /// Returns whether free walks begin in a direction in the water.
   [[nodiscard]] Mask<T> frees(const Vec3<T>& direction) const {
     return photic::one_minus_cos(direction, axis) < free_within;
   }
@@ -145,7 +145,7 @@ Vec3<T> refracted_down(const Vec3<T>& outside, const T& n) {
   return {x, y, T(0) - sqrt(T(1) - (x * x + y * y))};
 }
 
-/// Completes one whose direction outside is `off_axis` from the instrument's axis. `n`: of the
+/// Completes a ray whose direction outside is `off_axis` from the instrument's axis. `n`: of the
 /// line.
 template <class T>
 EntryRay<T> entry_ray_outside(const EntryCone<T>& cone, const T& n, const Vec3<T>& outside,
@@ -157,8 +157,8 @@ EntryRay<T> entry_ray_outside(const EntryCone<T>& cone, const T& n, const Vec3<T
   ray.direction = refracted_down(outside, n);
   return ray;
 }
-/// Completes one whose direction in the water is `off_axis` from the cone's axis. `n_axis`: of the
-/// laser's line.
+/// Completes a ray whose direction in the water is `off_axis` from the cone's axis. `n_axis`: of
+/// the laser's line.
 template <class T>
 EntryRay<T> entry_ray(const EntryCone<T>& cone, const T& n, const T& n_axis,
                       const Vec3<T>& direction, const Vec3<T>& off_axis) {
@@ -216,14 +216,14 @@ struct InnerCone {
 /// By how much the rays that a telescope sees are off its axis at most [rad].
 double half_view(const scene::Telescope& telescope);
 
-/// Of a telescope, whose light may be of any line, and of the laser, their places told from the
-/// origin; for free walks. `deepest`: of the water that counts [m].
+/// The cone of a telescope, whose light may be of any line, and of the laser, their places relative
+/// to the origin; for free walks. `deepest`: of the water that counts [m].
 EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Medium& medium,
                              double deepest, const std::vector<InnerCone>& inner = {});
 EntryCone<double> entry_cone(const scene::Source& source, const medium::Medium& medium,
                              double deepest);
-/// Whether, under waves, an instrument's entries are also drawn by slopes: only then walks are
-/// free.
+/// Returns whether, under waves, an instrument's entries are also drawn by slopes: only then walks
+/// are free.
 bool enters_by_slopes(const scene::Telescope& telescope, const medium::Medium& medium);
 bool enters_by_slopes(const scene::Source& source, const medium::Medium& medium);
 /// The same under waves. `frees`: for free walks.
@@ -231,8 +231,8 @@ EntryCone<double> cone_under_waves(const scene::Telescope& telescope, const medi
                                    double deepest, bool frees);
 EntryCone<double> cone_under_waves(const scene::Source& source, const medium::Medium& medium,
                                    double deepest, bool frees);
-/// Of an instrument in the water under waves, whose rays are off its axis by no more [rad]: a share
-/// of the walks begins at the facets that send rays back, if any rays go up.
+/// Has a share of the walks begin at the facets that send rays back, if any rays go up: for an
+/// instrument in the water under waves, whose rays are off its axis by no more [rad].
 void begin_some_at_facets(double half_angle, EntryCone<double>& cone);
 /// The same of walks that are not free: of the instrument's own rays.
 EntryCone<double> cone_of_own_rays(const scene::Telescope& telescope, const medium::Medium& medium,

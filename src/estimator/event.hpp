@@ -1,12 +1,16 @@
-// One event of a history, as the physics tells it: a flight, and what stands at its end.
+// One event of a history: a flight, and what stands at its end.
 //
-//   birth --> flight --+--> a black sea bed, or too late: the end               ^      +--> the
-// surface: reflected, but for what passes --+               |      +--> a collision: scattered,
-// converted, absorbed --+               +--------------- Russian roulette <-----------------------+
+// clang-format off
+//   birth --> flight --+--> black sea bed, or too late -------------------------------> end
+//               ^      +--> surface: reflected, but for what passes -----+               ^
+//               |      +--> collision: scattered, converted, absorbed ---+               |
+//               +------------------ Russian roulette <-------------------+               |
+//                                          +---------------------------------------------+
+// clang-format on
 //
 // Photons of the forward estimator, the bidirectional one's walks and analog photons all go through
-// this text. What each estimator makes of a step, it says in its Steps. each(stage) has a stage
-// done to all tracks: to one alone, or to many before the next stage begins.
+// this text. Each estimator defines its steps in its Steps. each(stage) has a stage done to all
+// tracks: to one alone, or to many before the next stage begins.
 #pragma once
 
 #include <cstdint>
@@ -24,35 +28,35 @@ namespace photic::estimator {
 /// A photon that has not ended after so many events is lost, and counted.
 inline constexpr std::int32_t max_events = 1'000'000;
 
-/// Those who are on their way, one in each lane.
+/// Photons on their way, one in each lane.
 template <class T>
 struct Track {
   transport::Photon<T> photon;
-  Mask<T> on{};         ///< who is on the way
-  Mask<T> colliding{};  ///< of them, whose flight has ended in a collision
+  Mask<T> on{};         ///< those on their way
+  Mask<T> colliding{};  ///< those of them whose flight has ended in a collision
   Index<T> touched{};   ///< by their light, transport::Touched; of walks not kept
 };
 
-/// Those of a mask end here; an account of the ledger takes their weight.
+/// Ends the photons of a mask; an account of the ledger takes their weight.
 template <class T, class Account>
 void book_out(Track<T>& t, const Mask<T>& gone, Account& account) {
   book(account, t.on & gone, t.photon.weight);
   t.on = t.on & !gone;
 }
 
-/// Whether light from the air is left where it stands at the surface, which does more to it than to
-/// reflect a share.
+/// Returns whether light from the air is left standing at the surface, which does more to it than
+/// to reflect a share.
 inline bool stands_at_surface(const medium::MediumView& sea) {
   return sea.waves.rough || sea.film.exists;
 }
 
-/// What light has touched that sets out in a medium.
+/// The places touched by light that sets out in a medium.
 inline transport::Touched touched_at_birth(const medium::MediumView& sea) {
   return sea.upside_down ? transport::Touched::air : transport::Touched::water;
 }
 
-/// Light of a mask leaves the laser, by two uniforms. What gets into the water is on its way, and
-/// what stands at such a surface.
+/// Has light of a mask leave the laser, by two uniforms. Light that gets into the water is on its
+/// way, and so is light that stands at such a surface.
 template <class T, class Ledger>
 void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
                     const Mask<T>& exist, Track<T>& t, Ledger& ledger) {
@@ -66,8 +70,8 @@ void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
   t.touched = Index<T>(static_cast<std::int32_t>(touched_at_birth(world.sea)));
 }
 
-/// Flights of all: at their ends, who has not come to the sea bed, nor comes too late, stands at
-/// the surface, which they cross, or collides.
+/// Flights of all photons: at their ends, those that have not come to the sea bed, nor come too
+/// late, stand at the surface, which they cross, or collide.
 template <class Steps, class Each>
 void flights(Steps& steps, Each each) {
   steps.begin_event(each);
@@ -77,7 +81,7 @@ void flights(Steps& steps, Each each) {
   each([&](auto& t) { steps.cross(t); });
 }
 
-/// Collisions of those who collide. Then the event ends for all.
+/// Collisions of the photons that collide. Then the event ends for all.
 template <class Steps, class Each>
 void collisions(Steps& steps, Each each) {
   each([&](auto& t) { steps.score(t); });
@@ -101,9 +105,9 @@ void book_leaving(Ledger& ledger, const Mask<T>& mask, const transport::Leaving<
   book(ledger.oil, mask, leaving.into_film);
 }
 
-/// Those who stand at the surface are reflected, but for the weight that passes; those that are
-/// `lossless` keep all of it. Tells who stood there. leave(mask, direction, weight) is told of what
-/// passes.
+/// Reflects the photons at the surface, but for the weight that passes; those that are `lossless`
+/// keep all of it. Returns the photons that stood there. leave(mask, direction, weight) is called
+/// for the weight that passes.
 template <class T, class Ledger, class Leave>
 Mask<T> reflect_at_surface(const medium::MediumView& sea, Track<T>& t, const Mask<T>& lossless,
                            Ledger& ledger, Leave leave) {
@@ -120,7 +124,8 @@ Mask<T> reflect_at_surface(const medium::MediumView& sea, Track<T>& t, const Mas
   return reflected;
 }
 
-/// Roulette, and what is lost: weights that are no numbers, and who has not ended for too long.
+/// Plays roulette, and books losses: weights that are no numbers, and photons that have not ended
+/// for too long.
 template <class Steps, class Tracks>
 void end_event(Steps& steps, Tracks& t) {
   using T = decltype(t.photon.weight);

@@ -13,8 +13,9 @@ namespace {
 /// Below it the surface counts as out of focus.
 constexpr double min_share = 0.9;
 
-/// Of the open lens, whose rays from a point on the axis reach the detector (docs/theory.md, eq. 32
-/// with q = 0). `distance`: how far the point seems to be from the lens [m].
+/// The share of the open lens whose rays from a point on the axis reach the detector
+/// (docs/theory.md, eq. 32 with q = 0). `distance`: the point's apparent distance from the lens
+/// [m].
 double share_of_lens(const scene::Telescope& telescope, double distance) {
   return instrument::make_telescope<double>(telescope).overlap(1 / distance, 0.0);
 }
@@ -52,7 +53,7 @@ std::string focused_at(const scene::Telescope& telescope) {
   return per_metre > 0 ? fmt::format("focused at {:.6g} m", 1 / per_metre) : "focused at infinity";
 }
 
-std::string told_of(const Model& model, std::size_t t) {
+std::string report_of(const Model& model, std::size_t t) {
   const scene::Telescope& lens = model.scene.telescope[t];
   const char* place = model.gates.depth_is_range() ? "range" : "depth";
   std::vector<std::string> shares;
@@ -102,7 +103,7 @@ void check_focus(const scene::Scene& scene, scene::Findings& findings) {
 
 std::vector<std::string> focus_told(const Model& model) {
   std::vector<std::string> out;
-  for (std::size_t t = 0; t < model.scene.telescope.size(); ++t) out.push_back(told_of(model, t));
+  for (std::size_t t = 0; t < model.scene.telescope.size(); ++t) out.push_back(report_of(model, t));
   return out;
 }
 

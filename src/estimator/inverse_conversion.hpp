@@ -1,4 +1,4 @@
-// How walks from telescopes invert conversions.
+// The inversion of conversions by walks from telescopes.
 #pragma once
 
 #include "core/constants.hpp"
@@ -11,10 +11,10 @@ namespace photic::estimator {
 /// So many vertices of a telescope's walk invert conversions alike.
 inline constexpr double first_vertices = 1;
 
-/// How a walk from a telescope inverts conversions: how often, and where to. Converted light
-/// leaves in all directions, but the light it was made of comes along the laser's beam, which some
-/// scatterings of the laser's light look for, too. Where that is vertical, the densities depend on
-/// the angle to the vertical alone.
+/// The inversion of conversions by a walk from a telescope: its chance, and its directions.
+/// Converted light leaves in all directions, but the light it was made of comes along the laser's
+/// beam, which some scatterings of the laser's light look for, too. Where that is vertical, the
+/// densities depend on the angle to the vertical alone.
 template <class T>
 struct InverseConversion {
   T probability{};  ///< at a vertex, of the walk's first ones
@@ -24,10 +24,10 @@ struct InverseConversion {
   Index<T> lobe{};  ///< a table of the medium
   T scattered{};    ///< share of directions drawn so where the laser's light is scattered
 
-  /// Where a telescope detects `line`: 0 for the laser's own and where that line is not emitted.
-  /// `before`: vertices that the walk has had. Behind the first few ever fewer conversions are
-  /// inverted: of n vertices more a walk leaves them all out with a chance of about 1 / (n p). So
-  /// light that is scattered many times after its conversion, as in wide views, is not left to a
+  /// The chance where a telescope detects `line`: 0 for the laser's own and where that line is not
+  /// emitted. `before`: vertices that the walk has had. Behind the first few ever fewer conversions
+  /// are inverted: of n vertices more a walk leaves them all out with a chance of about 1 / (n p).
+  /// So light that is scattered many times after its conversion, as in wide views, is not left to a
   /// few walks of great weight, which a constant p would make as rare as (1 - p)^n.
   T chance(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
            const Index<T>& before) const {

@@ -10,7 +10,7 @@ template <class T>
 struct MeetingGrid {
   T most{};  ///< points per metre; 0: no rays meet
 
-  /// Points per metre for paths of so many vertices. Those of few vertices, near the axis of the
+  /// Points per metre for paths of so many vertices. Paths of few vertices, near the axis of the
   /// instrument, meet over many metres of depth, others over centimetres (decision 35).
   T density(const Index<T>& order) const {
     return most *
@@ -30,7 +30,7 @@ struct MeetingGrid {
   }
 };
 
-/// How many samples a set of walks makes of a strategy, per photon that the laser emits.
+/// The number of a strategy's samples in a set of walks, per photon that the laser emits.
 template <class T>
 struct Samples {
   T to_instrument{1};  ///< connecting a walk to the instrument at the other end
@@ -40,13 +40,13 @@ struct Samples {
   MeetingGrid<T> grid;
   MeetingGrid<T> free_telescope{}, free_laser{};  ///< the same of free walks
 
-  /// Of meetings by translation, per metre of depth, in paths of so many vertices.
+  /// The number of meetings by translation, per metre of depth, in paths of so many vertices.
   T translated(const Index<T>& order) const { return pairs * grid.density(order); }
   /// The same of free walks, of a telescope or of the laser; none in paths of one vertex.
   T freed(const MeetingGrid<T>& of, const Index<T>& order) const {
     return select(order > Index<T>(1), pairs * of.density(order), T(0));
   }
-  /// Whether there are free walks at all.
+  /// Returns whether there are free walks at all.
   bool frees() const { return any(free_telescope.most > T(0)) || any(free_laser.most > T(0)); }
 };
 

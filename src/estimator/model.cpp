@@ -42,7 +42,7 @@ std::string process_of(const medium::Line& line, transport::Touched touched) {
   return std::string(scene::word_of(line.process));
 }
 
-/// What light touches in a medium under air.
+/// The places that light touches in a medium under air.
 std::vector<transport::Touched> touched_in(const medium::Medium& medium, bool air) {
   std::vector<transport::Touched> out{transport::Touched::water};
   if (!medium.bed_albedo.empty()) out.push_back(transport::Touched::bed);
@@ -103,7 +103,7 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   return shape;
 }
 
-/// Of the laser and the telescopes [m].
+/// The heights of the laser and the telescopes [m].
 std::vector<double> heights_of(const scene::Scene& scene) {
   std::vector<double> out{scene.source.position_m.z};
   for (const auto& t : scene.telescope) out.push_back(t.position_m.z);
@@ -149,8 +149,8 @@ medium::Line channel_line(const scene::Channel& channel, std::size_t c,
   return mean;
 }
 
-/// The values of an environment that its name does not tell: "sea.layer.0.chlorophyll_mg_m3 = 2".
-std::string values_untold(const scene::Environment& environment) {
+/// The values of an environment that its name does not state: "sea.layer.0.chlorophyll_mg_m3 = 2".
+std::string unnamed_values(const scene::Environment& environment) {
   std::string out;
   for (const auto& [path, value] : environment.set) {
     const std::string key = path.substr(path.find_last_of('.') + 1);
@@ -247,10 +247,10 @@ Model make_model(const scene::Scene& scene) {
           {scene.source, scene.telescope}};
 }
 
-scene::Scene scene_told(const Model& model) {
+scene::Scene reported_scene(const Model& model) {
   scene::Scene scene = model.scene;
-  scene.source = model.told.source;
-  scene.telescope = model.told.telescope;
+  scene.source = model.as_given.source;
+  scene.telescope = model.as_given.telescope;
   return scene;
 }
 
@@ -270,7 +270,7 @@ tally::Result describe(const Model& model) {
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
   for (const auto& e : scene.environment) {
     result.environment_name.push_back(e.name);
-    result.environment_changes.push_back(values_untold(e));
+    result.environment_changes.push_back(unnamed_values(e));
   }
   auto numbers = scene::environment_values(scene);
   result.environment_path = std::move(numbers.path);
@@ -303,12 +303,12 @@ tally::Result describe(const Model& model) {
         result.film_interface_ratio.push_back(ways.interface_ratio);
       }
   result.title = scene.title;
-  result.scene_toml = scene::write_scene(scene_told(model));
+  result.scene_toml = scene::write_scene(reported_scene(model));
   result.estimator = scene::word_of(scene.simulation.estimator);
   result.estimator_reason = scene.simulation.estimator_reason.value_or("");
   result.seed = scene.simulation.seed;
-  result.strategies = strategies_told(scene, medium);
-  std::ranges::move(aimed_walks_told(scene, medium), std::back_inserter(result.strategies));
+  result.strategies = reported_strategies(scene, medium);
+  std::ranges::move(reported_aimed_walks(scene, medium), std::back_inserter(result.strategies));
   for (const auto& source : medium.sources) result.sources.push_back(medium::source_line(source));
   if (air)
     for (const auto& source : air->sources) result.sources.push_back(medium::source_line(source));

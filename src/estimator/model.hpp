@@ -37,8 +37,8 @@ struct AirTables {
 };
 
 struct Model {
-  /// As it is simulated: with what it leaves to the water (walk_attenuation), and with instruments
-  /// where they seem to stand if the air bends light.
+  /// The scene as it is simulated: with a walk_attenuation by the water, if it names none, and with
+  /// instruments where they seem to stand if the air bends light.
   scene::Scene scene;
   medium::Medium medium;
   geometry::FreePaths paths;
@@ -50,7 +50,7 @@ struct Model {
   std::vector<AirTables> air_tables;
   std::vector<medium::OtherAir> other_airs;  ///< of scenes with air and environments
   geometry::TooLong too_long;
-  Instruments told;  ///< as the scene has them
+  Instruments as_given;  ///< as in the scene file
 };
 
 /// The check of a scene's optics, for scene::read_scene: whatever make_model would refuse. The
@@ -63,8 +63,8 @@ Model make_model(const scene::Scene& scene);
 /// The same scene, simulated otherwise.
 Model simulated_by(const Model& model, const scene::Simulation& simulation);
 
-/// What is simulated, with the instruments as they were told.
-scene::Scene scene_told(const Model& model);
+/// The simulated scene, with the instruments as given.
+scene::Scene reported_scene(const Model& model);
 
 /// A result's axes, and what it says of the scene; the tallies are still to be filled in.
 tally::Result describe(const Model& model);

@@ -7,14 +7,15 @@
 namespace photic::estimator {
 namespace {
 
-/// Whether telescopes share light at all: the shares of a lens that `overlap` takes differ from
-/// view to view, and analog photons fall on each. Where the estimator is left open it is neither.
+/// Returns whether telescopes share light at all: the shares of a lens that `overlap` takes differ
+/// from view to view, and analog photons fall on each. Where the estimator is left open it is
+/// neither.
 bool shares_light(const scene::Simulation& simulation) {
   return simulation.estimator != scene::Estimator::analog &&
          simulation.reception == scene::Reception::ray;
 }
 
-/// What has to be the same.
+/// The properties that have to be the same.
 scene::Telescope without_view(scene::Telescope telescope) {
   telescope.name.clear();
   telescope.direction = normalised(telescope.direction);

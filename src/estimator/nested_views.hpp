@@ -1,5 +1,5 @@
 // Telescopes that see one inside the other: at one place behind the same lens, they differ in the
-// size of their detectors alone. What the narrow one sees, the wide one sees too, so that one local
+// size of their detectors alone. The wide one sees all that the narrow one sees, so that one local
 // estimate serves all.
 #pragma once
 

@@ -1,8 +1,9 @@
-// Where places and paths in a World are told from: near where the light gets into the water, that
-// floats tell times to 0.01 ns even from space.
+// The origin of places and paths in a World: near where the light gets into the water, so that
+// floats resolve 0.01 ns even from space.
 //
-// The sea is the same everywhere, so places are told from a point of the surface, the origin. Paths
-// leave out the ways in the air between the instruments and the origin; scores add them, in double.
+// The sea is the same everywhere, so places are relative to a point of the surface, the origin.
+// Paths leave out the ways in the air between the instruments and the origin; scores add them, in
+// double.
 #pragma once
 
 #include <algorithm>
@@ -33,20 +34,20 @@ inline Vec3<double> origin_of(const scene::Source& source, bool upside_down) {
       source.position_m + geometry::way_ahead(upright(source.position_m), axis) * axis;
   return {start.x, start.y, 0};
 }
-/// An instrument of a scene, its place told from there.
+/// An instrument of a scene, its place relative to the origin.
 template <class Instrument>
 Instrument from_origin(Instrument instrument, const Vec3<double>& origin) {
   instrument.position_m = instrument.position_m - origin;
   return instrument;
 }
 
-/// What paths from the laser to a telescope, its place told from the origin, leave out [m].
-/// `above_air`: of the telescope.
+/// The length that paths from the laser to a telescope, its place relative to the origin, leave out
+/// [m]. `above_air`: of the telescope.
 inline double path_to_origin(const geometry::Ahead& of_laser, const scene::Telescope& telescope,
                              bool above_air) {
   const Vec3<double>& lens = telescope.position_m;
-  const bool told_from_origin = above_air || !geometry::stands_in_water(lens);
-  return of_laser.length + of_laser.to_sea + (told_from_origin ? length(lens) : 0);
+  const bool relative_to_origin = above_air || !geometry::stands_in_water(lens);
+  return of_laser.length + of_laser.to_sea + (relative_to_origin ? length(lens) : 0);
 }
 
 /// Until when light in the water has to be on its way to an instrument.
@@ -67,8 +68,9 @@ struct Deadline {
   }
 };
 
-/// Of the laser's light, of which it has to meet one; `last_path`: the end of the last gate [m].
-/// Points of a tilted lens may be nearer than its centre. Those of nested views are the same.
+/// The deadlines of the laser's light, of which it has to meet one; `last_path`: the end of the
+/// last gate [m]. Points of a tilted lens may be nearer than its centre. Nested views have the
+/// same.
 template <class T>
 std::vector<Deadline<T>> deadlines_at_telescopes(const scene::Scene& scene, double last_path,
                                                  const geometry::Ahead& of_laser,
@@ -87,7 +89,8 @@ std::vector<Deadline<T>> deadlines_at_telescopes(const scene::Scene& scene, doub
   return deadlines;
 }
 
-/// Of a telescope's walks; `last_path`: of both walks together, at the end of the last gate [m].
+/// The deadline of a telescope's walks; `last_path`: of both walks together, at the end of the last
+/// gate [m].
 template <class T>
 Deadline<T> deadline_at_laser(const scene::Scene& scene, double last_path,
                               const geometry::Ahead& of_laser) {

@@ -24,17 +24,17 @@ inline constexpr std::uint32_t max_film_steps = 4096;
 /// Telescopes of a scene, and the laser.
 inline constexpr std::uint32_t max_instruments = 1024;
 
-// Of histories.
+// Blocks of histories.
 
-/// Of each event: of all, and where they are asked for, of choices and of forced collisions.
+/// Blocks of each event: of all, and where they are asked for, of choices and of forced collisions.
 inline constexpr RandomBlocks event_blocks{0, 3};
 /// The number of copies of a photon that is split.
 inline constexpr RandomBlocks split_blocks{3, 1};
-/// Of the laser's light.
+/// The block of the laser's light.
 inline constexpr RandomBlocks birth_blocks{0, 1};
 /// The points of lenses, one for each group of telescopes; of a photon's birth.
 inline constexpr RandomBlocks lens_blocks{1, max_instruments};
-/// Where a rough surface leads light on to lenses; of a photon's birth.
+/// The points where a rough surface leads light on to lenses; of a photon's birth.
 inline constexpr RandomBlocks surface_blocks{std::uint32_t{1} << 22, 1};
 /// One for each facet that light meets.
 inline constexpr RandomBlocks facet_blocks{std::uint32_t{1} << 20, max_facets};
@@ -51,9 +51,9 @@ inline constexpr RandomBlocks copy_blocks{std::uint32_t{1} << 30, std::uint32_t{
 /// Steps of analog light in a film: to a face, and there.
 inline constexpr RandomBlocks film_step_blocks{std::uint32_t{1} << 24, 2 * max_film_steps};
 
-// Of walks.
+// Blocks of walks.
 
-/// Four of each instrument, the laser's first: of an event, and of a birth.
+/// Four blocks of each instrument, the laser's first: of an event, and of a birth.
 inline constexpr RandomBlocks walk_blocks{0, 4 * max_instruments};
 /// Two for each facet that walks meet, each as far from the next as instruments are apart.
 inline constexpr RandomBlocks walk_facet_blocks{facet_blocks.first,
@@ -63,7 +63,7 @@ inline constexpr RandomBlocks walk_facet_blocks{facet_blocks.first,
 /// batch's.
 inline constexpr RandomBlocks key_blocks{std::uint32_t{1} << 31, walk_blocks.count};
 
-/// Whether no two of them overlap.
+/// Returns whether no two of them overlap.
 template <std::size_t n>
 constexpr bool are_apart(std::array<RandomBlocks, n> blocks) {
   std::ranges::sort(blocks, {}, &RandomBlocks::first);

@@ -1,4 +1,4 @@
-// How deep the light of a scene's gates gets.
+// The reach of the light in a scene's gates.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 
 namespace photic::estimator {
 
-/// How deep light can turn back within the last gate, and how far below the instruments that is.
+/// The greatest depth where light can turn back within the last gate, and its distance below the
+/// instruments.
 struct Reach {
   double deepest, range;
 };

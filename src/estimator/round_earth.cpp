@@ -72,7 +72,7 @@ void check_round_earth(const scene::Scene& scene, scene::Findings& findings) {
   try {
     n = medium::refractive_index(scene.sea, scene.source.wavelength_nm);
   } catch (const InputError&) {
-    return;  // which the medium's check has found
+    return;  // the medium's check has found that
   }
   check_axis(scene.source, "source", n, findings);
   for (std::size_t t = 0; t < scene.telescope.size(); ++t)

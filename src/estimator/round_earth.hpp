@@ -1,4 +1,4 @@
-// Where it shows that the sea is simulated as a plane.
+// Remarks on scenes whose echoes show that the sea is simulated as a plane.
 #pragma once
 
 #include "scene/findings.hpp"
@@ -6,8 +6,8 @@
 
 namespace photic::estimator {
 
-/// Remarks on instruments in the air whose axis comes to a round earth after another way, or goes
-/// on in the water more or less steeply, than to a flat one.
+/// Remarks on instruments in the air whose axis has another length to a round earth than to a flat
+/// one, or another slope in the water.
 void check_round_earth(const scene::Scene& scene, scene::Findings& findings);
 
 }  // namespace photic::estimator

@@ -15,7 +15,7 @@
 namespace photic::estimator {
 namespace {
 
-/// Of phase functions over the cones of instruments.
+/// The most means of phase functions over the cones of instruments.
 constexpr std::size_t max_means = 500;
 
 Strategy off(std::string name, std::string reason) {
@@ -65,7 +65,7 @@ std::string waves_are_wider(const char* than, const scene::Scene& scene) {
   return fmt::format("waves spread light wider than {} is on the surface", than);
 }
 
-/// Which instruments' walks cannot be free.
+/// The free walks of telescopes, or the reason why some cannot be free.
 Strategy free_telescopes(const scene::Scene& scene, const medium::Medium& medium) {
   Strategy out{"free walks of telescopes", false, {}};
   const bool rough = scene.sea.surface.is_rough();
@@ -101,8 +101,8 @@ Strategy free_laser(const scene::Scene& scene, const medium::Medium& medium) {
     return off(name, "it is in the water, and tilted or with rays to the side");
   return {name, true, {}};
 }
-/// With how often they meet, as a scene has it.
-void tell_meetings(const std::optional<double>& per_metre, Strategy& strategy) {
+/// Reports the number of their meetings, as a scene has it.
+void report_meetings(const std::optional<double>& per_metre, Strategy& strategy) {
   if (!strategy.used) return;
   const std::string limit = strategy.reason.empty() ? "" : "; " + strategy.reason;
   if (!per_metre) {
@@ -132,7 +132,7 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
   out.rotated = rotated(medium, beam_in_water(scene, medium));
   out.rotated_scattered = out.rotated;
   out.rotated_scattered.name += ", of light that is not converted";
-  // What environments make of the angle that a rotation changes is not known apart.
+  // The effect of environments on the angle that a rotation changes is not known apart.
   if (out.rotated.used && scene.compares())
     out.rotated_scattered = off(out.rotated_scattered.name,
                                 "environments or derivatives are requested, for which the angle "
@@ -150,7 +150,7 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
   return out;
 }
 
-std::vector<std::string> Strategies::told() const {
+std::vector<std::string> Strategies::report() const {
   std::vector<std::string> out;
   for (const Strategy* s : {&to_laser, &between, &translated, &rotated, &rotated_scattered,
                             &free_telescope, &free_laser}) {
@@ -160,12 +160,13 @@ std::vector<std::string> Strategies::told() const {
   return out;
 }
 
-std::vector<std::string> strategies_told(const scene::Scene& scene, const medium::Medium& medium) {
+std::vector<std::string> reported_strategies(const scene::Scene& scene,
+                                             const medium::Medium& medium) {
   if (scene.simulation.estimator != scene::Estimator::bidirectional) return {};
   auto strategies = make_strategies(scene, medium);
-  tell_meetings(scene.simulation.free_telescope_meetings, strategies.free_telescope);
-  tell_meetings(scene.simulation.free_laser_meetings, strategies.free_laser);
-  return strategies.told();
+  report_meetings(scene.simulation.free_telescope_meetings, strategies.free_telescope);
+  report_meetings(scene.simulation.free_laser_meetings, strategies.free_laser);
+  return strategies.report();
 }
 
 }  // namespace photic::estimator

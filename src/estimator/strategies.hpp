@@ -1,5 +1,5 @@
-// In which ways the bidirectional estimator draws paths: which of them a scene leaves out, and why.
-// What needs a symmetry of the scene says so here.
+// The ways in which the bidirectional estimator draws paths: those that a scene leaves out, and
+// why. Each that needs a symmetry of the scene is checked here.
 #pragma once
 
 #include <string>
@@ -17,19 +17,19 @@ struct Strategy {
   std::string reason;  ///< why not; what it is limited by, if it is used
 };
 
-/// Of the bidirectional estimator. Telescopes' walks are always connected to the lens, and those
-/// from the laser with them.
+/// The strategies of the bidirectional estimator. Telescopes' walks are always connected to the
+/// lens, and the laser's walks with them.
 struct Strategies {
   Strategy to_laser;           ///< telescopes' walks are connected to the laser
   Strategy between;            ///< vertices of both walks are connected
   Strategy translated;         ///< telescopes' walks are translated so that two rays meet
   Strategy rotated;            ///< they are rotated about where they convert
-  Strategy rotated_scattered;  ///< those of the laser's line about their first vertex
+  Strategy rotated_scattered;  ///< walks of the laser's line about their first vertex
   Strategy free_telescope;     ///< walks of telescopes are put where rays meet, and seen anew
   Strategy free_laser;         ///< walks of the laser are, and lit anew
 
   /// A line for each.
-  [[nodiscard]] std::vector<std::string> told() const;
+  [[nodiscard]] std::vector<std::string> report() const;
 };
 
 Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medium);
@@ -38,6 +38,7 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
 Vec3<double> beam_in_water(const scene::Scene& scene, const medium::Medium& medium);
 
 /// The lines for a scene, whatever its estimator; none of those that have no choice.
-std::vector<std::string> strategies_told(const scene::Scene& scene, const medium::Medium& medium);
+std::vector<std::string> reported_strategies(const scene::Scene& scene,
+                                             const medium::Medium& medium);
 
 }  // namespace photic::estimator

@@ -1,4 +1,4 @@
-// What ends a photon's history: time, light too weak to be worth following, too many events.
+// The ends of a photon's history: time, light too weak to be worth following, too many events.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace photic::estimator {
 
-/// Whether light from here can still be in a telescope within the last gate.
+/// Returns whether light from here can still be in a telescope within the last gate.
 template <class T>
 Mask<T> in_time(const World<T>& world, const transport::Photon<T>& photon) {
   Mask<T> in_time(false);
@@ -20,7 +20,7 @@ Mask<T> in_time(const World<T>& world, const transport::Photon<T>& photon) {
   return in_time;
 }
 
-/// Russian roulette of photons that are `on` their way. Tells who goes on.
+/// Plays Russian roulette with photons that are `on` their way. Returns which go on.
 template <class T, class Ledger>
 Mask<T> play_roulette(transport::Photon<T>& photon, const T& level, const T& u, const Mask<T>& on,
                       Ledger& ledger) {

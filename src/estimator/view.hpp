@@ -1,4 +1,4 @@
-// What sampling takes for a telescope's view in the water.
+// A telescope's view in the water, as sampling takes it.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 
 namespace photic::estimator {
 
-/// A telescope's view in the water as sampling takes it: a cone about its (refracted) axis from
-/// where that enters the lens or the surface, whose light is attenuated with `rate` on its way to
-/// the entry.
+/// A telescope's view in the water as sampling takes it: a cone about its (refracted) axis from the
+/// point where that enters the lens or the surface, whose light is attenuated with `rate` on its
+/// way to the entry.
 template <class T>
 struct ViewCone {
   Vec3<T> entry;

@@ -9,7 +9,7 @@
 namespace photic::estimator {
 namespace {
 
-/// Of the highest albedo (docs/decisions/0010).
+/// The least walk attenuation, as a share of the highest albedo (docs/decisions/0010).
 constexpr double min_per_albedo = 0.9;
 
 /// Best on most waters (docs/decisions/0010 and 0035).
@@ -23,7 +23,7 @@ constexpr double near_high = 0.8;
 
 /// Photons of the forward estimator draw them from scattering alone, absorption being continuous
 /// along them: deep light is then reached by more photons, of less weight. Where water hardly
-/// scatters, from this share of c.
+/// scatters, they are drawn from this share of c.
 constexpr double min_walk_share = 0.2;
 
 /// Environments draw the free paths of all towards what they would draw them from alone, but the

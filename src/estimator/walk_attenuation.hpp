@@ -1,5 +1,5 @@
-// Which share of the attenuation free paths are drawn from: of connected walks what a scene gets
-// that names none, what "auto" chooses from, what `bench` compares.
+// The share of the attenuation that free paths are drawn from. For connected walks: the default of
+// a scene, the values that "auto" chooses from, those that `bench` compares.
 #pragma once
 
 #include <vector>
@@ -19,18 +19,18 @@ inline constexpr double emitted_walk_share = 0.6;
 /// b / c of the laser's light in the layer where it is largest.
 double highest_albedo(const medium::Medium& medium);
 
-/// Where c' is smaller than b, weights grow at every vertex: below this value the tail that this
-/// makes is longer than a run.
+/// The least walk attenuation. Where c' is smaller than b, weights grow at every vertex: below this
+/// value their tail is longer than a run.
 double min_walk_attenuation(double highest_albedo);
 
-/// Those worth a try, ascending; at least one.
+/// The values worth a try, ascending; at least one.
 std::vector<double> walk_attenuations(double highest_albedo);
 
-/// Of a scene that names none: 0.6, or, where water scatters so much that this is too little, c' =
-/// b up to 0.9.
+/// The value of a scene that names none: 0.6, or, where water scatters so much that this is too
+/// little, c' = b up to 0.9.
 double usual_walk_attenuation(double highest_albedo);
 
-/// What the walks of a simulation take in a medium.
+/// The value that the walks of a simulation take in a medium.
 double walk_attenuation_in(const medium::Medium& medium, const scene::Simulation& simulation);
 
 /// Remarks on a scene's own value if it is below the least for the laser's light.

@@ -15,9 +15,9 @@ namespace photic::estimator {
 namespace {
 
 /// Where a view is wider than the part of the sea that sends light back, a share of the telescope's
-/// walks is aimed at that part: the laser's spot, and what scattering in the water adds to it [m],
-/// most of the light nearest. Each cone has half the angle of the one before, at most. The numbers
-/// were tried (docs/decisions/0042).
+/// walks is aimed at that part: the laser's spot, widened by scattering in the water [m], most of
+/// the light nearest. Each cone has half the angle of the one before, at most. The numbers were
+/// tried (docs/decisions/0042).
 constexpr double aimed_share = 0.8, next_of_aimed = 0.5;
 constexpr std::array scattered_aside{12.0, 6.0, 3.0, 1.5};
 
@@ -57,7 +57,7 @@ std::vector<InnerCone> in_nested(const scene::Scene& scene, const NestedViews& v
   return inner;
 }
 
-/// Those that hold the light, of a telescope in a group of its own, in equal shares.
+/// The cones that hold the light, of a telescope in a group of its own, in equal shares.
 std::vector<InnerCone> aimed_at_light(const scene::Scene& scene, const NestedViews& views) {
   std::vector<InnerCone> inner;
   if (views.size() > 1) return inner;
@@ -71,7 +71,7 @@ std::vector<InnerCone> aimed_at_light(const scene::Scene& scene, const NestedVie
   return inner;
 }
 
-/// How often rays of free walks meet [1/m]; 0: there are none.
+/// The number of meetings of free walks' rays [1/m]; 0: there are none.
 double meetings(const scene::Scene& scene, const Strategy& free,
                 const std::optional<double>& per_metre) {
   const bool has_any = scene.simulation.estimator == scene::Estimator::bidirectional && free.used;
@@ -112,7 +112,8 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
   return out;
 }
 
-std::vector<std::string> aimed_walks_told(const scene::Scene& scene, const medium::Medium& medium) {
+std::vector<std::string> reported_aimed_walks(const scene::Scene& scene,
+                                              const medium::Medium& medium) {
   std::vector<std::string> out;
   const auto of_laser = make_strategies(scene, medium).free_laser;
   if (meetings(scene, of_laser, scene.simulation.free_laser_meetings) == 0) return out;

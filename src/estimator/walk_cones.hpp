@@ -10,7 +10,7 @@
 
 namespace photic::estimator {
 
-/// Their places are told from the origin.
+/// The cones of walks, with places relative to the origin.
 struct WalkCones {
   EntryCone<double> laser;
   std::vector<EntryCone<double>> telescope;   ///< of nested views that of the widest alone
@@ -18,7 +18,8 @@ struct WalkCones {
 };
 
 /// A line for each telescope of which a share of the walks is aimed.
-std::vector<std::string> aimed_walks_told(const scene::Scene& scene, const medium::Medium& medium);
+std::vector<std::string> reported_aimed_walks(const scene::Scene& scene,
+                                              const medium::Medium& medium);
 
 /// `deepest`: of the water that counts [m].
 WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, double deepest);

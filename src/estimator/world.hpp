@@ -40,12 +40,12 @@ struct Receiver {
   std::size_t number = 0;      ///< among the receivers
   std::size_t group = 0;       ///< of telescopes, whose views are nested
   std::size_t telescope = 0;   ///< the widest of them
-  geometry::Region<T> region;  ///< where it stands
+  geometry::Region<T> region;  ///< of its place
   Index<T> line{};             ///< 0, or the first of the band
   std::int32_t band = -1;      ///< of the medium's, if it is one
   T last_path{};               ///< of both walks together, at the end of the last gate [m]
   T longest{};                 ///< the same of walks that have not been translated yet [m]
-  Deadline<T> deadline{};      ///< of its walks' light, to be at the laser
+  Deadline<T> deadline{};      ///< of its walks' light, to reach the laser
 };
 
 /// Telescopes that share local estimates: of nested views, or one alone.
@@ -55,7 +55,7 @@ struct ViewGroup {
     Index<T> telescope{};
     T detector_radius{};  ///< [m]
   };
-  std::size_t number = 0;  ///< of the widest, which sees what any of them sees
+  std::size_t number = 0;  ///< of the widest, which sees all that any of them sees
   instrument::Telescope<T> widest;
   geometry::Region<T> region;
   double path_to_origin = 0;
@@ -73,7 +73,7 @@ struct ViewGroup {
   }
 };
 
-/// What the forward estimator does beyond the plain walk.
+/// The forward estimator's tools beyond the plain walk.
 template <class T>
 struct Tools {
   Index<T> forced_flights{};
@@ -95,12 +95,12 @@ Tools<T> make_tools(const scene::Tools& s) {
   return tools;
 }
 
-/// Whose light histories score.
+/// The light that histories score.
 enum class Scored : std::int8_t {
   all,
   film,       ///< a film's and the surface's own: walks score all else
-  none,       ///< of none: they lead to other histories
-  from_water  ///< in the air, of who has been in the water
+  none,       ///< none: they lead to other histories
+  from_water  ///< in the air, light that has been in the water
 };
 
 /// Light that passes the surface is followed in another world.
@@ -108,7 +108,7 @@ template <class T>
 struct Beyond {
   bool exists = false;
   T chance{1};  ///< share of it that is
-  T path{};     ///< what its path counts more there [m]
+  T path{};     ///< the excess of its path there [m]
 };
 
 template <class T>
@@ -126,18 +126,18 @@ struct World {
   std::vector<Deadline<T>> deadlines;       ///< one of which the laser's light has to meet
   T min_group_index{};                      ///< of all lines
   T directed{};                             ///< share of directions drawn towards a telescope
-  bool directs = false;                     ///< whether any are
+  bool directs = false;                     ///< true if any are
   bool compares = false;                    ///< there are environments
   InverseConversion<T> inverse_conversion;  ///< of conversions, by walks from telescopes
   T conversion{};              ///< probability of a branch into the inelastic processes
   bool single_rays = false;    ///< local estimates take one point of the lens instead of its mean
-  bool makes_choices = false;  ///< whether collisions choose between lines or targets at all
+  bool makes_choices = false;  ///< true if collisions choose between lines or targets at all
   std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
   EntryCone<T> laser_cone;             ///< its walks begin in such directions
   std::vector<EntryCone<T>> telescope_cones;
   AveragedPhases averaged;                    ///< over these
   MeetingGrid<T> free_telescope, free_laser;  ///< depths at which rays of free walks meet
-  T deepest{};                     ///< where light may turn back within the last gate, at most [m]
+  T deepest{};  ///< the greatest depth where light may turn back within the last gate [m]
   MeetingGrid<T> meeting_grid;     ///< of the bidirectional estimator
   bool rotates = false;            ///< a telescope's walk may be rotated about where it converts
   bool rotates_scattered = false;  ///< one of the laser's line also about its first vertex
@@ -158,7 +158,7 @@ struct World {
   std::uint64_t batch_photons = 0;
   SobolPoints points;  ///< of a batch; none: all numbers are drawn independently
 
-  /// Of an instrument: of_laser, or a telescope behind it.
+  /// The region of an instrument: of_laser, or a telescope behind it.
   [[nodiscard]] const geometry::Region<T>& region(std::int32_t instrument) const {
     return instrument == of_laser ? laser_region
                                   : telescope_region[static_cast<std::size_t>(instrument - 1)];
@@ -169,9 +169,9 @@ struct World {
   }
 };
 
-/// What a photon of the forward estimator may meet, known before the loops: most worlds have
-/// neither the paper's tools nor variations (environments and derivatives), and loops without them
-/// are faster.
+/// The events that a photon of the forward estimator may meet, known before the loops: most worlds
+/// have neither the paper's tools nor variations (environments and derivatives), and loops without
+/// them are faster.
 struct PlainEvents {
   static constexpr bool tools = false, variations = false;
 };
@@ -179,7 +179,7 @@ struct AllEvents {
   static constexpr bool tools = true, variations = true;
 };
 
-/// Whether there are environments.
+/// Returns whether there are environments.
 template <class Events, class T>
 bool compares(const World<T>& world) {
   if constexpr (Events::variations) {
@@ -193,8 +193,8 @@ bool compares(const World<T>& world) {
 /// lost.
 inline constexpr std::int32_t max_vertices = 128;
 
-/// Such walks play Russian roulette below this weight: where light is converted, what a walk adds
-/// by its connections has little to do with its weight (docs/decisions/0027).
+/// Such walks play Russian roulette below this weight: where light is converted, a walk's gain by
+/// its connections has little to do with its weight (docs/decisions/0027).
 inline constexpr double min_weight = 1e-8;
 
 /// The coordinates of a batch's points: four for each block of random numbers, of which an event of
@@ -209,8 +209,9 @@ inline constexpr std::uint32_t quasi_random_dimensions =
 inline constexpr double directed_inverse_conversion = 0.6;
 inline constexpr double directed_scattering = 0.1;
 
-/// Of a vertex of a telescope's walk in emitted light: where that is hardly scattered, as many
-/// conversions are inverted as if its free paths were drawn like those of the laser's light.
+/// The probability at a vertex of a telescope's walk in emitted light: where that is hardly
+/// scattered, as many conversions are inverted as if its free paths were drawn like those of the
+/// laser's light.
 inline double inverse_conversion_probability(double conversion_probability) {
   return 1 - std::pow(1 - conversion_probability, 1 / emitted_walk_share);
 }
@@ -250,7 +251,7 @@ void add_groups(const scene::Scene& scene, World<T>& world) {
   }
 }
 
-/// How many receivers a model has.
+/// The number of receivers of a model.
 inline std::size_t count_receivers(const Model& model) {
   World<double> world;
   world.groups.resize(nested_views(model.scene).size());
@@ -258,10 +259,10 @@ inline std::size_t count_receivers(const Model& model) {
   return world.receivers.size();
 }
 
-/// Whether a batch's photons or walks begin at points that fill all possibilities evenly. Not
-/// where tails of the forward estimator's scores, which that leaves as they are, may hold more of
-/// the echo than the flags can tell: in environments, and where a telescope in the water may be as
-/// close to a collision as can be (docs/decisions/0026).
+/// Returns whether a batch's photons or walks begin at points that fill all possibilities evenly.
+/// They do not where tails of the forward estimator's scores, which that leaves as they are, may
+/// hold more of the echo than the flags can detect: in environments, and where a telescope in the
+/// water may be as close to a collision as can be (docs/decisions/0026).
 inline bool spreads_evenly(const scene::Scene& scene) {
   const scene::Simulation& asked = scene.simulation;
   const bool in_air =
@@ -271,10 +272,10 @@ inline bool spreads_evenly(const scene::Scene& scene) {
           (asked.estimator == scene::Estimator::forward && !scene.compares() && in_air));
 }
 
-/// Light that the sea mirrors comes hardly later than what turns at the surface, and never before.
-/// So paths in the air are told as much longer as numbers of so many digits may make them shorter
-/// on the way between an instrument and the sea [m]: 0.5 mm from 3 km, 2 cm from space in float.
-/// Length, delay, and half the sum of both ways: each is rounded by half the last digit.
+/// The greatest rounding error of paths in the air between an instrument and the sea [m], by which
+/// they count as longer: light that the sea mirrors comes hardly later than light that turns at the
+/// surface, and must never come before it. It is 0.5 mm from 3 km, 2 cm from space in float:
+/// length, delay, and half the sum of both ways are each rounded by half the last digit.
 template <class T, class Instrument>
 double max_rounded_off(const Instrument& instrument, const medium::Medium& air) {
   const double epsilon = std::numeric_limits<Element<T>>::epsilon();
@@ -284,7 +285,7 @@ double max_rounded_off(const Instrument& instrument, const medium::Medium& air) 
 template <class T>
 World<T> make_world(const Model& model) {
   const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables, others, too_long,
-               told] = model;
+               as_given] = model;
   World<T> world;
   world.estimator = scene.simulation.estimator;
   world.sea = paths.slabs(medium);
@@ -351,7 +352,7 @@ World<T> make_world(const Model& model) {
   world.free_laser = {T(cones.free_laser)};
   world.laser_cone = cone_cast<T>(cones.laser);
   for (const auto& cone : cones.telescope) world.telescope_cones.push_back(cone_cast<T>(cone));
-  // What free walks may become shorter by counts as more time for those that are not free yet.
+  // The length that free walks may lose counts as more time for those that are not free yet.
   const auto max_shorter = [&](const EntryCone<double>& cone) {
     return std::min(cone.spot.max_shorter, gates.last_path());
   };

@@ -1,5 +1,5 @@
-// The way of light along the axis of an instrument, by the flat surface: what paths, deadlines and
-// gates are told against. Instruments stand at z >= 0 in the air, or below in the water.
+// The way of light along the axis of an instrument, by the flat surface: the reference of paths,
+// deadlines and gates. Instruments stand at z >= 0 in the air, or below in the water.
 #pragma once
 
 #include <algorithm>
@@ -13,17 +13,17 @@ namespace photic::geometry {
 
 inline bool stands_in_water(const Vec3<double>& position) { return position.z < 0; }
 
-/// How far ahead of an instrument its light is told of [m]: where its axis, a unit vector, meets
-/// the sea, or for grazing light on the way there. So lengths far longer than what they lead to are
-/// left out of places and paths, and floats tell these as well from space. In the water, and where
-/// the axis leads away from it: at the instrument.
+/// Distance ahead of an instrument where its light's places and paths begin [m]: where its axis, a
+/// unit vector, meets the sea, or for grazing light on the way there. So the long ways from space
+/// are left out of places and paths, and floats keep these as precise. In the water, and where the
+/// axis leads away from it: 0.
 inline double way_ahead(const Vec3<double>& position, const Vec3<double>& axis) {
   if (position.z <= 0 || axis.z >= 0) return 0;
   constexpr double max_heights = 10;
   return position.z * std::min(max_heights, -1 / axis.z);
 }
 
-/// Where an instrument's light is told of: so far ahead of it on its axis, and from there so far to
+/// The start of an instrument's places and paths: its distance ahead on the axis, and from there to
 /// the sea [m]. Paths leave out both.
 struct Ahead {
   double length = 0, to_sea = 0;
@@ -31,8 +31,8 @@ struct Ahead {
 inline Ahead ahead_of(const Vec3<double>& position, const Vec3<double>& axis) {
   return {way_ahead(position, axis), 0};
 }
-/// The same where air that is so high is upside down: of an instrument above it that looks at the
-/// sea, where its light gets into the air. Of others paths leave out nothing.
+/// The same where air that is so high is upside down: for an instrument above it that looks at the
+/// sea, where its light gets into the air. Paths of others leave out nothing.
 inline Ahead ahead_of_air(const Vec3<double>& position, const Vec3<double>& axis, double air_m) {
   if (-position.z <= air_m || axis.z <= 0) return {};
   return {(-position.z - air_m) / axis.z, air_m / axis.z};
@@ -43,9 +43,9 @@ inline Ahead ahead_of_air(const Vec3<double>& position, const Vec3<double>& axis
 inline double cosine_in_water(double cos_air, double n) {
   return std::sqrt(1 - (1 - cos_air * cos_air) / (n * n));
 }
-/// How the axis of an instrument goes on in the water.
+/// The continuation of an instrument's axis in the water.
 struct AxisInWater {
-  Vec3<double> entry;      ///< where it begins there: at the surface, or at the instrument
+  Vec3<double> entry;      ///< its beginning there: at the surface, or at the instrument
   Vec3<double> direction;  ///< a unit vector
   double in_air = 0;       ///< its length before [m]
   double index = 1;        ///< of the water against the instrument's medium
@@ -59,12 +59,13 @@ inline AxisInWater axis_in_water(const Vec3<double>& position, const Vec3<double
   return {position + in_air * axis, normalised(refracted), in_air, n};
 }
 
-/// Where air bends light, instruments are simulated where they seem to stand. By how much the axes
-/// of the laser and each telescope are longer from there to the sea than they are [m]; else none.
+/// The excess length of the axes of the laser and each telescope [m], from where they seem to stand
+/// to the sea, in air that bends light; else none. Instruments are simulated where they seem to
+/// stand.
 struct TooLong {
   std::vector<double> group_path, length;
 
-  /// Of the laser's axis and that of a telescope.
+  /// The excess of the laser's axis and a telescope's together.
   [[nodiscard]] double both_paths(std::size_t telescope) const {
     return group_path.empty() ? 0 : group_path.front() + group_path[telescope + 1];
   }
@@ -79,7 +80,7 @@ struct TooLong {
 };
 
 /// Group path along an axis that looks down: to the surface, and per metre of depth above and below
-/// it, as if the air were clear. Of an instrument in the water `to_surface` is negative. NaN of
+/// it, as if the air were clear. For an instrument in the water `to_surface` is negative. NaN for
 /// axes that do not look down.
 struct GroupPath {
   double to_surface, per_depth_in_air, per_depth_in_water;

@@ -1,4 +1,4 @@
-// Where light from a point in the water passes the flat surface to reach a point in the air
+// The point where light from the water passes the flat surface to reach a point in the air
 // (docs/theory.md, "The local estimate").
 #pragma once
 
@@ -35,7 +35,7 @@ CrossingStart<T> crossing_start(const T& inverse_n, const T& depth, const T& hei
 
 /// The root by Newton's steps from there. The left side is concave in s: steps from above the root
 /// lead below it, steps from below rise towards it and never overshoot. A step squares the error,
-/// times no more than t^2: this tells which one is the last. Small angles need none.
+/// times no more than t^2, which decides the last one. Small angles need none.
 template <class T>
 T crossing(const T& n, const T& depth, const T& height, const T& aside_squared,
            const CrossingStart<T>& start) {
@@ -80,8 +80,8 @@ RefractedRay<T> refracted_ray(const T& n, const T& inverse_n, const T& dx, const
   ray.arriving = {dx * per_rise, dy * per_rise, T(1)};
   return ray;
 }
-/// How refraction widens a pencil of light in its plane: the ratio of the cosines to the vertical,
-/// water's over air's; and its inverse.
+/// The widening of a pencil of light by refraction, in its plane: the ratio of the cosines to the
+/// vertical, water's over air's; and its inverse.
 template <class T>
 struct Widening {
   T ratio, inverse;
@@ -101,7 +101,7 @@ T refracted_area_per_solid_angle(const T& inverse_n, const T& l1, const T& l2,
   return (l2 + seen1) * (l2 * widening.ratio + seen1 * widening.inverse);
 }
 
-/// Where it crosses the surface, after so much of its way in the water.
+/// The point where it crosses the surface, after this length in the water.
 template <class T>
 Vec3<T> crossed_at(const Vec3<T>& from, const RefractedRay<T>& ray, const T& length_water) {
   return {from.x + length_water * ray.direction.x, from.y + length_water * ray.direction.y, T(0)};

@@ -5,19 +5,19 @@
 
 namespace photic::geometry {
 
-/// Of the light, and of the coefficient that free paths are drawn from.
+/// Optical depths of the light, and of the coefficient that free paths are drawn from.
 template <class T>
 struct OpticalDepths {
   T all, walk;
 };
 
-/// Of what stands in the water: a photon, a vertex, a ray where it begins.
+/// The level of a thing in the water: a photon, a vertex, a ray where it begins.
 template <class Placed>
 auto level_of(const medium::MediumView& sea, const Placed& at) {
   return sea.level(at.layer, -at.position.z);
 }
 
-/// Of a straight way of the given length between two levels.
+/// The optical depths of a straight way of the given length between two levels.
 template <class T>
 OpticalDepths<T> depths_between(const Slabs& sea, const Index<T>& line,
                                 const medium::Level<T>& from, const medium::Level<T>& to,

@@ -1,5 +1,5 @@
-// What free paths are drawn from: an attenuation c', layer by layer a share of the true one, c.
-// What c has more of is absorbed along the way. The share is an estimator's choice.
+// The attenuation c' that free paths are drawn from: layer by layer a share of the true one, c. The
+// rest of c is absorbed along the way. The share is an estimator's choice.
 #pragma once
 
 #include <span>
@@ -31,7 +31,7 @@ struct Slabs : medium::MediumView {
                              const medium::Level<T>& to, const T& length) const {
     return slant(walk_c, line, from, to, length);
   }
-  /// Of what is absorbed along such a way; `first` at the first level.
+  /// Optical depth of the absorption along such a way; `first` at the first level.
   template <class T>
   T continuous_slant_optical_depth(const Index<T>& line, const medium::Level<T>& from,
                                    const medium::Column<T>& first, const medium::Level<T>& to,

@@ -18,11 +18,11 @@ struct AirColumn {
   [[nodiscard]] bool exists() const { return optical_depth.size > 0; }
 };
 
-/// Where something stands: in the air above the surface, or in a layer of the water.
+/// The region where something stands: in the air above the surface, or in a layer of the water.
 template <class T>
 struct Region {
   bool in_air = false;
-  Index<T> layer{};  ///< of what stands in the water
+  Index<T> layer{};  ///< if it stands in the water
   AirColumn air{};   ///< below what stands in the air
 
   /// The share of a line's light that gets between there and the sea without meeting the air.

@@ -19,17 +19,17 @@ struct Sightline {
   Vec3<T> arriving;    ///< in which it reaches the instrument, a unit vector
   T length_water{};    ///< [m]
   T length_air{};      ///< [m]
-  Vec3<T> crossing{};  ///< where it passes the surface
+  Vec3<T> crossing{};  ///< its point on the surface
   T secant_water{};    ///< 1 over the cosine to the vertical; only of ways through the surface
   T area_per_solid_angle{};  ///< across the ray at the instrument, in the water [m^2/sr]
   T index_squared{1};        ///< of the water against the instrument's medium
   T throughput{1};           ///< share of light that the surface lets pass, or reflects
-  Region<T> to{};            ///< where the instrument stands
+  Region<T> to{};            ///< the instrument's
   Route route = Route::direct;
 };
 
-/// Through the surface to a point above it. Where `wanted` is false only the directions are
-/// promised, to a few per cent of their angle.
+/// The sightline through the surface to a point above it. Where `wanted` is false only the
+/// directions are promised, to a few per cent of their angle.
 template <class T>
 Sightline<T> sightline_through_surface(const medium::MediumView& sea, const Vec3<T>& from,
                                        const Index<T>& line, const Vec3<T>& to,
@@ -115,7 +115,7 @@ OpticalDepths<T> depths_by_surface(const Slabs& sea, const Index<T>& line, const
   return {(sea.optical_depth(line, from) + sea.optical_depth(line, to)) * secant,
           (sea.walk_optical_depth(line, from) + sea.walk_optical_depth(line, to)) * secant};
 }
-/// Of the first `length` in the water of a way from a layer and a depth.
+/// The optical depths of the first `length` in the water of a way from a layer and a depth.
 template <class T>
 OpticalDepths<T> depths_along(const Slabs& sea, const Sightline<T>& way, const Index<T>& line,
                               const Index<T>& layer, const T& depth, const T& length) {

@@ -32,15 +32,15 @@ Vec3<T> fictitious_vertex(const Laser<T>& laser) {
   return laser.start - (laser.vertex_distance + laser.ahead) * laser.axis;
 }
 
-/// Whether other rays can be led to its rays' fictitious vertex.
+/// Returns whether other rays can be led to its rays' fictitious vertex.
 template <class T>
 bool can_be_met(const Laser<T>& laser) {
   return !laser.collimated && (laser.submerged || any(fictitious_vertex(laser).z > T(0)));
 }
 
-/// What the way in the air from a laser's disc to a place, along the ray from the fictitious
-/// vertex, is longer than from the disc to the origin by the axis [m]. `distance`: from that
-/// vertex; `x`: 1 - cos of the ray's angle to the axis.
+/// The excess of the way in the air from a laser's disc to a place, along the ray from the
+/// fictitious vertex, over the axis from the disc to the origin [m]. `distance`: from that vertex;
+/// `x`: 1 - cos of the ray's angle to the axis.
 template <class T>
 T longer_from_disc(const Laser<T>& laser, const Vec3<T>& place, const T& distance, const T& x) {
   const Vec3<T> vertex = fictitious_vertex(laser);
@@ -49,11 +49,11 @@ T longer_from_disc(const Laser<T>& laser, const Vec3<T>& place, const T& distanc
 }
 
 template <class T>
-Laser<T> make_laser(const scene::Source& s, const geometry::Ahead& told) {
+Laser<T> make_laser(const scene::Source& s, const geometry::Ahead& way) {
   const double half_divergence = s.half_divergence_mrad * 1e-3;
   Laser<T> laser;
   const Vec3<double> axis = normalised(s.direction);
-  const auto [ahead, to_sea] = told;
+  const auto [ahead, to_sea] = way;
   laser.start = vec3_cast<T>(s.position_m + ahead * axis);
   laser.ahead = T(ahead);
   laser.to_sea = T(to_sea);

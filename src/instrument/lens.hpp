@@ -37,7 +37,7 @@ PlanePoint<T> lens_point(const Telescope<T>& telescope, const T& u_radius, const
   return ring_point(telescope.obstruction_radius, telescope.lens_radius, u_radius, u_azimuth);
 }
 
-/// Whether a point of the lens' plane is open.
+/// Returns whether a point of the lens' plane is open.
 template <class T>
 Mask<T> open_at(const Telescope<T>& telescope, const PlanePoint<T>& p) {
   const T squared = p.x * p.x + p.y * p.y;
@@ -50,19 +50,19 @@ template <class T>
 Vec3<T> in_plane(const Telescope<T>& telescope, const PlanePoint<T>& p) {
   return p.x * telescope.across + p.y * telescope.up;
 }
-/// What of a vector lies along a telescope's directions.
+/// The components of a vector along a telescope's directions.
 template <class T>
 PlanePoint<T> parts_in_plane(const Telescope<T>& telescope, const Vec3<T>& v) {
   return {dot(v, telescope.across), dot(v, telescope.up)};
 }
-/// Where a point of the lens is.
+/// The place of a point of the lens.
 template <class T>
 Vec3<T> in_space(const Telescope<T>& telescope, const PlanePoint<T>& p) {
   return telescope.position + in_plane(telescope, p);
 }
 
-/// What a way in the air from a place to a point of the lens, of the given length, is longer than
-/// from the origin to its centre [m].
+/// The excess of a way in the air from a place to a point of the lens, of the given length, over
+/// that from the origin to its centre [m].
 template <class T>
 T longer_way(const Telescope<T>& telescope, const Vec3<T>& from, const PlanePoint<T>& p,
              const T& length) {
@@ -83,14 +83,14 @@ Mask<T> may_see_by_ray(const Telescope<T>& telescope, const PlanePoint<T>& p, co
   return aside_x * aside_x + aside_y * aside_y <= farthest * farthest;
 }
 
-/// What a detector sees through one point of the lens.
+/// The detector's view through one point of the lens.
 template <class T>
 struct Sight {
-  Mask<T> on_detector{};  ///< whether a ray is seen
+  Mask<T> on_detector{};  ///< true if a ray is seen
   T cos_off_axis{1};      ///< of the ray outside, to the axis
   T image_squared{};      ///< (how far from the axis it falls, times that cosine)^2 [m^2]
 
-  /// Whether a ray from ahead falls on a detector of a radius, at the same place.
+  /// Returns whether a ray from ahead falls on a detector of a radius, at the same place.
   Mask<T> falls_within(const T& detector_radius) const {
     const T radius = detector_radius * cos_off_axis;
     return image_squared < radius * radius;
@@ -133,8 +133,8 @@ T share_that_sees(const Telescope<T>& telescope, const Vec3<T>& direction) {
   return select(share > T(1e-6), share, T(1e-6));
 }
 
-/// How a ray comes through the lens if all of its light's way beyond is translated sideways: so far
-/// from where it did before; and how much longer its way from there is, along the ray.
+/// The shift of a ray's point on the lens if all of its light's way beyond is translated sideways;
+/// and the excess of its way from there, along the ray.
 template <class T>
 struct LensTranslation {
   PlanePoint<T> aside{};  ///< [m]
@@ -147,7 +147,7 @@ LensTranslation<T> lens_translation(const Telescope<T>& telescope, const Vec3<T>
   const T longer = dot(translation, telescope.axis) / dot(outward, telescope.axis);
   return {parts_in_plane(telescope, translation - longer * outward), longer};
 }
-/// How much longer a ray's way becomes if it comes through the lens so far from where it did [m].
+/// The excess of a ray's way if its point on the lens is shifted so far [m].
 template <class T>
 T longer_by_translation(const Telescope<T>& telescope, const Vec3<T>& outward,
                         const PlanePoint<T>& aside) {
@@ -158,13 +158,13 @@ inline double max_longer(const scene::Telescope& telescope) {
   return 2 / flattest_translated * lens_rise(telescope);
 }
 
-/// Whether points of the lens are at several depths in the water.
+/// Returns whether points of the lens are at several depths in the water.
 template <class T>
 bool is_aslant(const Telescope<T>& telescope) {
   return telescope.submerged && !telescope.upright;
 }
-/// Whether walks from all points of the lens come to a depth, so that those which collide there
-/// first may be translated.
+/// Returns whether walks from all points of the lens come to a depth, so that those that collide
+/// there first may be translated.
 template <class T>
 Mask<T> all_points_reach(const Telescope<T>& telescope, const T& depth) {
   using std::abs;
@@ -179,7 +179,7 @@ Sight<T> sight(const Telescope<T>& telescope, const PlanePoint<T>& p, const Vec3
   const T towards = -dot(arriving, telescope.axis);
   const Mask<T> in_front = towards > T(0);
   seen.cos_off_axis = select(in_front, towards, T(1));
-  // Where it falls, times that cosine.
+  // Its place on the detector, times that cosine.
   const T from_lens =
       T(0) - telescope.detector_distance * telescope.per_sharp_range * seen.cos_off_axis;
   const T x = p.x * from_lens + telescope.detector_distance * dot(arriving, telescope.across);
@@ -194,7 +194,8 @@ template <class T>
 Vec3<T> outward(const Telescope<T>& telescope, const PlanePoint<T>& slope) {
   return normalised(telescope.axis + in_plane(telescope, slope));
 }
-/// Of light that comes in by such a ray, through a point of the lens; as if along the axis.
+/// The sight of light that comes in by such a ray, through a point of the lens; as if along the
+/// axis.
 template <class T>
 Sight<T> sight_along(const Telescope<T>& telescope, const PlanePoint<T>& p,
                      const PlanePoint<T>& slope) {

@@ -13,11 +13,11 @@
 
 namespace photic::instrument {
 
-/// How far off its axis a telescope in the air may see what stands at an apparent rise below it, as
-/// if through a flat surface without refraction (geometry/crossing.hpp): no farther than
+/// The greatest distance off its axis at which a telescope in the air may see a point at an
+/// apparent rise below it, as if through a flat surface without refraction (geometry/crossing.hpp):
 ///   rise tangent + radius (|middle - rise per_sharp_range| + spread) [m],
 /// the detector's half view and the blur of a point there (see Telescope::overlap). `rise` is the
-/// paraxial one; what is seen has one that is smaller by a known factor at most, which `middle` and
+/// paraxial one; that of a point seen is smaller by a known factor at most, which `middle` and
 /// `spread` allow for, as for ranges along a tilted axis. Infinite if nothing can be said.
 template <class T>
 struct ViewReach {
@@ -31,7 +31,7 @@ struct Telescope {
   T distance{};      ///< of that from the origin [m]
   Vec3<T> start;     ///< on the axis, way_ahead() of it [m]
   T ahead{};         ///< so far [m]
-  Vec3<T> axis;      ///< where it looks, a unit vector
+  Vec3<T> axis;      ///< its view, a unit vector
   Vec3<T> across;    ///< with `up` the directions of the lens' plane: unit vectors, at right angles
   Vec3<T> up;
   T lens_radius{};  ///< [m]
@@ -43,12 +43,12 @@ struct Telescope {
   T min_defocus{};        ///< a sharp image counts as a disc of 1e-5 of the detector's radius
   ViewReach<T> reach;
   bool submerged = false;
-  bool above_air = false;  ///< which is upside down: paths are told as those of one in clear air
+  bool above_air = false;  ///< which is upside down: paths count as in clear air
   bool upright = false;    ///< its axis is vertical
 
-  /// Whether light that rises from below may fall on the detector of a telescope in the air, if it
-  /// moves aside in the direction of (x, y) at an angle to the vertical whose tangent is at least
-  /// the length of that vector over `rise` > 0.
+  /// Returns whether light that rises from below may fall on the detector of a telescope in the
+  /// air, if it moves aside in the direction of (x, y) at an angle to the vertical whose tangent is
+  /// at least the length of that vector over `rise` > 0.
   Mask<T> may_see_beyond(const T& x, const T& y, const T& rise) const {
     using std::abs;
     const T farthest = rise * reach.tangent +
@@ -150,13 +150,13 @@ inline ViewReach<double> reach_of_view(const scene::Telescope& s) {
 
 /// The telescope of a scene. Half field of view v: detector radius f tan v.
 template <class T>
-Telescope<T> make_telescope(const scene::Telescope& s, const geometry::Ahead& told) {
+Telescope<T> make_telescope(const scene::Telescope& s, const geometry::Ahead& way) {
   Telescope<T> t;
   t.position = vec3_cast<T>(s.position_m);
   t.distance = T(length(s.position_m));
   const Vec3<double> axis = normalised(s.direction);
-  const double ahead = told.length;
-  t.above_air = told.to_sea > 0;
+  const double ahead = way.length;
+  t.above_air = way.to_sea > 0;
   t.start = vec3_cast<T>(s.position_m + ahead * axis);
   t.ahead = T(ahead);
   t.axis = vec3_cast<T>(axis);

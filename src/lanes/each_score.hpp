@@ -16,7 +16,7 @@ namespace photic::lanes {
 template <class T>
 struct LaneScores {
   Index<T> telescope{};
-  double path_to_origin = 0;  ///< what the paths are short of (estimator/world.hpp) [m]
+  double path_to_origin = 0;  ///< the length that the paths leave out (estimator/world.hpp) [m]
   Index<T> light{}, order{};
   T depth{}, path{}, value{};
   tally::Walked walked = tally::Walked::none;
@@ -49,8 +49,8 @@ void each_score(const tally::BatchTally& tally, const Mask<T>& mask, const LaneS
   });
 }
 
-/// Where scores in one telescope, or in those with `nested` views, wait for each other: a tally
-/// takes many at once, one by one, and packs do not wait for it.
+/// The queue of scores in one telescope, or in those with `nested` views: a tally takes many at
+/// once, one by one, and packs do not wait for it.
 template <class T>
 class ScoreQueue {
  public:
@@ -82,7 +82,7 @@ class ScoreQueue {
       if (waiting_ > capacity) flush(tally);
     }
   }
-  /// Hands over those who wait.
+  /// Hands over the scores that wait.
   void flush(tally::BatchTally& tally) {
     if (nested_)
       flush(tally, [this](std::size_t i) { return static_cast<std::size_t>(narrowest_[i]); });

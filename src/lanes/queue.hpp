@@ -14,7 +14,7 @@ namespace photic::lanes {
 template <class T, class Item>
 class Queue {
  public:
-  /// `like`: what is the same for all items, whose each_member() may leave that out.
+  /// `like`: the values that are the same for all items, whose each_member() may leave them out.
   explicit Queue(const Item& like = {}) : like_(like) {}
 
   /// Adds the lanes of a mask of an item, or of what has the same members; calls serve(item, mask)

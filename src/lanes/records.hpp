@@ -134,7 +134,7 @@ class Records {
   std::vector<CacheLine> line_;
 };
 
-/// Of one lane.
+/// Records of one lane.
 template <std::floating_point T, class R>
 class Records<T, R> {
  public:

@@ -14,8 +14,8 @@ struct Scalar;
 template <Isa isa>
 struct Lanes;
 
-/// Kind: Scalar or Lanes. Each simulator keeps the model by reference. Of sealed objects only the
-/// functions whose names contain _simulator are seen.
+/// Kind: Scalar or Lanes. Each simulator keeps the model by reference. Sealed objects export only
+/// the functions whose names contain _simulator.
 template <class Kind>
 struct EngineParts {
   static std::unique_ptr<Simulator> forward_simulator(const estimator::Model& model);

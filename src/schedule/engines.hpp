@@ -16,13 +16,13 @@
 
 namespace photic::schedule {
 
-/// What a result calls its engine: "scalar", or "lanes (avx2)".
+/// A result's name of its engine: "scalar", or "lanes (avx2)".
 std::string engine_name(const std::optional<Isa>& lanes);
 /// The instruction set in such a name; none for the scalar engine.
 std::optional<Isa> isa_of_engine(std::string_view engine);
 
-/// A model in lanes of an instruction set, which the processor must have, or by the scalar
-/// engine, whose bits are the same by any. The model must outlive what is returned.
+/// A model in lanes of an instruction set, which the processor must have, or by the scalar engine,
+/// whose bits are the same by any. The model must outlive the simulator.
 std::unique_ptr<Simulator> make_simulator(const estimator::Model& model,
                                           const std::optional<Isa>& lanes);
 

@@ -1,9 +1,9 @@
 // Many photons on their way at once, in packs.
 //
 // All packs go through a stage of an event before any goes through the next one: each stage is a
-// small loop, whose registers are its own. Then the lanes of those who have ended are given to
-// others, so that packs stay full. Who gets a lane, and the order in which packs are scored, follow
-// from the photons alone.
+// small loop, whose registers are its own. Then the lanes of photons that have ended are given to
+// others, so that packs stay full. The photons that get lanes, and the order in which packs are
+// scored, follow from the photons alone.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,8 @@ class Pool {
     estimator::PathRatios<T> ratios;  ///< of each, in environments
   };
   static constexpr std::size_t width = lanes_of<T>;
-  /// Such that all of it stays in the first cache, and few packs are partly empty.
+  /// The number of slots, so that all of them stay in the first cache, and few packs are partly
+  /// empty.
   static constexpr std::size_t slots = 128;
   static constexpr std::size_t packs = slots / width;
 
@@ -54,7 +55,8 @@ class Pool {
   }
 
   /// Follows photons `first` … `first + count - 1`, the first of a batch and up, to their ends.
-  /// `witness` is told of the packs at the end of each event, and who was on the way before.
+  /// `witness` is called at the end of each event with each pack and the mask of the photons that
+  /// were on their way before.
   template <class Witness>
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Witness witness) {
     draws_.emplace(estimator::draws_of_laser(world_, first));
@@ -62,14 +64,14 @@ class Pool {
     count_ = count;
     run(tally, witness);
   }
-  /// Follows those who have come from the other medium.
+  /// Follows the photons that have come from the other medium.
   void run(Passed& arrivals, tally::BatchTally& tally) {
     next_ = count_ = 0;
     arrivals_ = &arrivals;
     run(tally, [](const auto&...) {});
     arrivals_ = nullptr;
   }
-  /// Those who have gone on to the other medium are told to this.
+  /// Sets the list that takes the photons that go on to the other medium.
   void leave_to(Passed& passed) { passed_ = &passed; }
 
  private:
@@ -89,7 +91,7 @@ class Pool {
         steps_of<Events>(tally, [this](std::uint32_t block) { draw(on_the_way(), block); });
     for (fill<Events>(tally); used_ > 0; fill<Events>(tally)) {
       collide<Events>(steps, on_the_way());
-      tell(witness);
+      show(witness);
       if constexpr (Events::tools) keep_copies(tally);
       fly<Events>(steps, on_the_way());
     }
@@ -147,11 +149,11 @@ class Pool {
     if (count > 0) pack->numbers(block) = uniforms(pack->place, block);
   }
   template <class Witness>
-  void tell(Witness& witness) {
+  void show(Witness& witness) {
     for (std::size_t k = 0; k < used_; ++k) witness(pack_[k], before_[k]);
   }
 
-  /// Gives the lanes of those who have ended to those who wait, to new photons, or to the last
+  /// Gives the lanes of photons that have ended to those that wait, to new photons, or to the last
   /// ones.
   template <class Events>
   PHOTIC_APART void fill(tally::BatchTally& tally) {
@@ -165,8 +167,8 @@ class Pool {
     }
     while (used_ > 0 && !any(pack_[used_ - 1].on)) --used_;
   }
-  /// Has more photons wait: new ones, or else those of the last pack from number `first` on. Tells
-  /// whether there were any.
+  /// Has more photons wait: new ones, or else those of the last pack from number `first` on.
+  /// Returns whether there were any.
   template <class Events>
   bool fetch(std::size_t first, tally::BatchTally& tally) {
     if (next_ < count_) {
@@ -210,7 +212,7 @@ class Pool {
     fly<Events>(steps, all);
     all([&](auto& t) { wait(t); });
   }
-  /// The next of those who have come from the other medium, to where their first flight here ends.
+  /// Takes the next photons from the other medium to the end of their first flight here.
   template <class Events>
   PHOTIC_APART void arrive(tally::BatchTally& tally) {
     std::size_t came = 0;
@@ -230,7 +232,7 @@ class Pool {
                    pack.ratios.first + static_cast<std::size_t>(lane));
     });
   }
-  /// Who goes on to the other medium waits to be followed there.
+  /// Has photons that go on to the other medium wait to be followed there.
   void leave(estimator::Travellers<T>& gone) {
     std::size_t path = passed_->photons.size();
     passed_->photons.push(gone.on, gone);
@@ -241,7 +243,7 @@ class Pool {
                            gone.ratios.first + static_cast<std::size_t>(lane), path++);
     });
   }
-  /// Who is on the way in a pack waits.
+  /// Has the photons on their way in a pack wait.
   void wait(estimator::Travellers<T>& pack) {
     if (world_.compares) [[unlikely]]
       copy_ratios(pack.ratios.first, pack.on, false);
@@ -284,8 +286,8 @@ class Pool {
     wait(copies);
   }
 
-  /// Of the lanes of a mask, of a pack whose paths begin with `first`, to those who come to wait
-  /// next, or back.
+  /// Copies the ratios of a mask's lanes, of a pack whose paths begin with `first`, to the photons
+  /// that wait next, or back.
   PHOTIC_APART void copy_ratios(std::size_t first, const Mask<T>& mask, bool to_lanes) {
     std::size_t waiting = 2 * slots + reserve_.size();
     for_each_lane(mask, [&](int lane) {
@@ -296,10 +298,10 @@ class Pool {
   }
 
   const estimator::World<T>& world_;
-  estimator::PathRatios<T> ratios_;  ///< of each slot, and of those who wait, in environments
+  estimator::PathRatios<T> ratios_;  ///< of each slot and each waiting photon, in environments
   std::vector<estimator::Travellers<T>> pack_;
   std::size_t used_ = 0;                 ///< of the packs, the first ones
-  std::array<Mask<T>, packs> before_{};  ///< who was on the way when an event began
+  std::array<Mask<T>, packs> before_{};  ///< the photons on their way when an event began
 
   Reserve<T> reserve_;
   Passed* arrivals_ = nullptr;

@@ -9,7 +9,7 @@
 
 namespace photic::schedule {
 
-/// Of a world that is always the same one.
+/// The pools of one world, which is always the same.
 template <class T>
 class Pools {
  public:

@@ -13,7 +13,7 @@
 
 namespace photic::schedule {
 
-/// What photons take along; else it is the same for all of them.
+/// The values that photons take along; the others are the same for all of them.
 struct Carried {
   bool spectral_bin = true, touched = true, surface = true, choices = true, tools = true;
 };
@@ -23,7 +23,7 @@ Carried carried_in(const estimator::World<T>& world) {
           world.sea.waves.rough, world.makes_choices, world.all_events};
 }
 
-/// A stack of photons at the end of a flight, word by word in columns: who came last goes first.
+/// A stack of photons at the end of a flight, word by word in columns: the last to come goes first.
 template <class T>
 class Reserve {
  public:
@@ -43,7 +43,8 @@ class Reserve {
     size_ += count(mask);
   }
 
-  /// Gives the lanes of a mask to those who wait, as far as they go. Tells which it gave.
+  /// Gives the lanes of a mask to the photons that wait, as far as they go. Returns the lanes
+  /// given.
   Mask<T> pop(const Mask<T>& free, estimator::Travellers<T>& to) {
     const Mask<T> given = size_ >= count(free) ? free : first_of(free, size_);
     size_ -= count(given);

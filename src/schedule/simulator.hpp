@@ -8,7 +8,7 @@
 
 namespace photic::schedule {
 
-/// Shared by all threads. What it scores depends on the photons alone.
+/// A simulator that all threads share. Its scores depend on the photons alone.
 class Simulator {
  public:
   Simulator() = default;
@@ -21,7 +21,7 @@ class Simulator {
     add(first, count, tally);
     tally.pass_to_wider();
   }
-  /// Adds them to a tally. Of nested views the narrowest that sees light scores it.
+  /// Adds them to a tally. The narrowest of nested views that sees light scores it.
   virtual void add(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const = 0;
 };
 

@@ -1,4 +1,4 @@
-// What each thread needs and is large: used again from batch to batch.
+// Large objects that each thread needs: used again from batch to batch.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// How light has come to a film of oil and gone on.
+// The way of light at a film of oil: how it came, and how it went on.
 #pragma once
 
 #include "core/lanes.hpp"

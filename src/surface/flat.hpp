@@ -13,7 +13,7 @@ struct Flat {
   T n, inverse_n;  ///< index of the water against the air's, and 1 over it
   Face<T> face;
 
-  /// Of light that rises to it, in a direction whose z is >= 0.
+  /// The split of light that rises to it, in a direction whose z is >= 0.
   [[nodiscard]] Split<T> from_below(const Vec3<T>& direction) const {
     const auto [cos_air, reflectance, transmittance] = cross_face(face, n, T(1), direction.z);
     return {{direction.x, direction.y, -direction.z},
@@ -21,7 +21,7 @@ struct Flat {
             reflectance,
             transmittance};
   }
-  /// Of light that comes down to it, in a direction whose z is <= 0.
+  /// The split of light that comes down to it, in a direction whose z is <= 0.
   [[nodiscard]] Split<T> from_above(const Vec3<T>& direction) const {
     const auto [cos_water, reflectance, transmittance] = cross_face(face, T(1), n, T(-direction.z));
     return {{direction.x, direction.y, -direction.z},
@@ -30,7 +30,7 @@ struct Flat {
             transmittance};
   }
 
-  /// What light in the water that rises to it keeps of itself; `cosine`: to the vertical, 0 to 1.
+  /// The share of light rising in the water that it reflects; `cosine`: to the vertical, 0 to 1.
   [[nodiscard]] T reflectance(const T& cosine) const {
     return cross_face(face, n, T(1), cosine).reflectance;
   }

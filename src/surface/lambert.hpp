@@ -1,8 +1,8 @@
 // The sea bed: light that it reflects leaves it evenly, as Lambert's law has it (the paper's
-// "isotropic reflection for the normal component"). What it does not reflect it absorbs.
+// "isotropic reflection for the normal component"). It absorbs the rest.
 //
 // Its albedo may depend on the zenith angle of the light that comes to it. So it is not reciprocal:
-// what counts is the angle on the laser's side, whichever way a walk goes.
+// the angle on the laser's side counts, whichever way a walk goes.
 #pragma once
 
 #include <cmath>
@@ -13,14 +13,14 @@
 
 namespace photic::surface {
 
-/// Which of these places are on a bed that reflects.
+/// Returns which of these places are on a bed that reflects.
 template <class T>
 Mask<T> on_bed(const medium::MediumView& sea, const Index<T>& layer) {
   return layer == Index<T>(sea.layers);
 }
 
 /// An albedo that depends on the angle stands at even steps of sqrt(1 - cos), of 0 to 90 degrees.
-/// Where an angle lies among those of the table: between two of them, so far from the first.
+/// The place of an angle among those of the table: between two of them, so far from the first.
 template <class T>
 struct BedAngle {
   Index<T> first{};

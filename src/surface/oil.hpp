@@ -1,4 +1,4 @@
-// What a film of oil emits that light of the laser has come to (optics/film.hpp).
+// The light that a film of oil emits where the laser's light comes to it (optics/film.hpp).
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace photic::surface {
 
-/// Whether a channel counts the light of a film.
+/// Returns whether a channel counts the light of a film.
 inline bool film_shines(const medium::MediumView& sea) { return sea.film.band >= 0; }
 
 /// The line that light of a spectral_bin is emitted in by the film.
@@ -20,8 +20,8 @@ Index<T> film_line(const medium::MediumView& sea, const Index<T>& spectral_bin) 
                          Index<T>(sea.film.band * medium::spectral_bins) + spectral_bin);
 }
 
-/// Whether light of a line has been emitted by the film: such a line is of no other process, and
-/// light stays in it.
+/// Returns whether light of a line has been emitted by the film: such a line is of no other
+/// process, and light stays in it.
 template <class T>
 Mask<T> is_film_light(const medium::MediumView& sea, const Index<T>& line) {
   return gather<T>(sea.film.emission, line) > T(0);
@@ -40,8 +40,8 @@ struct AtFilm {
   Vec3<T> direction;  ///< in which it comes
   Vec3<T> normal;     ///< of the film, upwards
 };
-/// How much of it is emitted in a line into a direction, up into the air or down into the water,
-/// per solid angle there [1/sr].
+/// The share of it that is emitted in a line into a direction, up into the air or down into the
+/// water, per solid angle there [1/sr].
 template <class T>
 T emitted_by_film(const medium::MediumView& sea, const AtFilm<T>& at, const Index<T>& line,
                   const Vec3<T>& direction, bool up) {

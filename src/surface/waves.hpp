@@ -23,7 +23,7 @@ namespace photic::surface {
 
 using medium::WavesView;
 
-/// How much a facet rises per metre towards where the wind comes from, and at right angles to that.
+/// The rise of a facet per metre towards where the wind comes from, and at right angles to that.
 template <class T>
 struct Slope {
   T upwind{}, crosswind{};
@@ -96,7 +96,7 @@ T visibility(const Vec3<T>& direction, const Facet<T>& facet) {
   return dot(direction, facet.normal) / (direction.z * facet.normal.z);
 }
 
-/// What lies along x and y, along the wind and across it.
+/// The components along the wind and across it of those along x and y.
 template <class T>
 Slope<T> by_wind(const WavesView& waves, const T& along_x, const T& along_y) {
   const T x = T(waves.upwind_x), y = T(waves.upwind_y);
@@ -151,8 +151,8 @@ template <class T>
 struct Leading {
   Slope<T> slope{};  ///< theirs
   Vec3<T> along{};   ///< their normal, up or down, so long as n2 k2 - n1 k1
-  /// How much of the light that comes to a level area goes there, per solid angle, over the density
-  /// of slopes [1/sr]; 0 where no facet does it.
+  /// The share of the light on a level area that goes there, per solid angle, over the density of
+  /// slopes [1/sr]; 0 where no facet does it.
   T per_density{};
 };
 /// From direction k1 to k2, on the same side (Walter et al. 2007, Eurographics Symposium on
@@ -195,11 +195,11 @@ Leading<T> transmitting(const WavesView& waves, const Face<T>& face, const T& n1
   return out;
 }
 
-/// What whitecaps make of light: they reflect it, and let pass the rest, evenly to all sides.
+/// Whitecaps: they reflect light, and let pass the rest, evenly to all sides.
 template <class T>
 struct Whitecaps {
   T fraction{};                    ///< of the surface
-  T from_above{1}, from_below{1};  ///< what they reflect
+  T from_above{1}, from_below{1};  ///< the share that they reflect
 };
 template <class T>
 Whitecaps<T> whitecaps(const WavesView& waves, const Index<T>& line, const T& inverse_n) {
@@ -217,8 +217,8 @@ struct RoughSurface {
   Face<T> face{};
   Index<T> line{};
 
-  /// The facets that lead light on. `in_air`: who comes from there, and goes down; the others rise
-  /// from the water. `reflected`: whether k2 leads back there.
+  /// The facets that lead light on. `in_air`: light that comes from there, and goes down; the rest
+  /// rises from the water. `reflected`: true if k2 leads back there.
   [[nodiscard]] Leading<T> facets(const Mask<T>& in_air, bool reflected, const Vec3<T>& k1,
                                   const Vec3<T>& k2) const {
     const T n1 = select(in_air, T(1), n), n2 = select(in_air, n, T(1));
@@ -227,7 +227,7 @@ struct RoughSurface {
     out.per_density = out.per_density * (T(1) - white.fraction);
     return out;
   }
-  /// How much of light that comes to a level area whitecaps send in a direction [1/sr].
+  /// The share of the light on a level area that whitecaps send in a direction [1/sr].
   [[nodiscard]] T by_whitecaps(const Mask<T>& in_air, bool reflected, const Vec3<T>& k2) const {
     using std::abs;
     const T back = select(in_air, white.from_above, white.from_below);
@@ -245,7 +245,7 @@ struct RoughSurface {
 template <class T>
 struct Meeting {
   Slope<T> slope{};      ///< of the facet
-  T by_whitecaps{};      ///< how much of the light whitecaps have sent: none 0, all 1
+  T by_whitecaps{};      ///< share of the light that whitecaps have sent, 0 to 1
   Vec3<T> between{};     ///< in which direction it goes on to another facet; 0: it does not
   FilmCrossing<T> film;  ///< on the facet
 };
@@ -262,7 +262,7 @@ FilmCrossing<T> film_crossing(const Index<T>& line, const Mask<T>& in_air, const
                  select(in_air, way(medium::back_into_air), way(medium::back_into_water))),
           T(abs(dot(in_water, normal)))};
 }
-/// Of light from direction k1 to k2, as density() weighs facets and whitecaps.
+/// The meeting of light from direction k1 to k2, as density() weighs facets and whitecaps.
 template <class T>
 Meeting<T> meeting_of(const RoughSurface<T>& surface, const Mask<T>& in_air, bool reflected,
                       const Vec3<T>& k1, const Vec3<T>& k2) {

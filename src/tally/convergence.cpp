@@ -129,14 +129,14 @@ bool Totals::beam_missed(std::size_t cell) const {
   return sum_of(of_laser) + sum_of(with_telescope) > negligible_share * state_.echo[cell].low.x;
 }
 
-double Totals::told_error(const Sums& sums, const Counted& n, double unseen) {
+double Totals::reported_error(const Sums& sums, const Counted& n, double unseen) {
   return with_unseen(standard_error(sums, n), unseen / n.photons);
 }
 
 Totals::Health Totals::health_of(const Sums& s, const Counted& n, double unseen) {
   if (s.x == 0) return {no_score, 0, 0};
   Health health;
-  health.relative_error = told_error(s, n, unseen) / mean(s, n);
+  health.relative_error = reported_error(s, n, unseen) / mean(s, n);
   health.raise(n.batches < min_batches, few_batches);
   health.raise(health.relative_error > largest_relative_error, large_error);
   health.raise(heavy(unseen, error_of_sum(s, n), s.x), heavy_tail);

@@ -53,7 +53,7 @@ double Totals::error_growth(std::size_t cell) const {
 void Totals::estimate(const Sums& sums, std::size_t cell, double unseen, Estimates& out) const {
   const Counted n = counted(cell);
   out.mean.push_back(mean(sums, n));
-  out.standard_error.push_back(told_error(sums, n, unseen));
+  out.standard_error.push_back(reported_error(sums, n, unseen));
 }
 
 void Totals::fill_environment(std::size_t environment, Result& result) const {
@@ -80,7 +80,7 @@ void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result)
     const double change = mean(s.difference.low, n);  // p d echo / d p
     const double unseen = unseen_of(cell, s.of_differences);
     result.sensitivity.mean.push_back(change / value);
-    result.sensitivity.standard_error.push_back(told_error(s.difference.low, n, unseen) /
+    result.sensitivity.standard_error.push_back(reported_error(s.difference.low, n, unseen) /
                                                 std::abs(value));
     const double of_ratio = error_of_ratio(change / echo, echo, standard_error(s.difference.low, n),
                                            standard_error(scene, n), standard_error(s.echo.low, n));

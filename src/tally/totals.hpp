@@ -81,7 +81,7 @@ class Totals {
   [[nodiscard]] double unseen_of(std::size_t cell, const Powers& scores) const;
   /// Standard error of the mean per photon, with what has not been seen; without it if that cannot
   /// be told.
-  [[nodiscard]] static double told_error(const Sums& sums, const Counted& n, double unseen);
+  [[nodiscard]] static double reported_error(const Sums& sums, const Counted& n, double unseen);
   [[nodiscard]] static Health health_of(const Sums& s, const Counted& n, double unseen);
   /// Bits of ConvergenceFlag of an environment's echo and difference by themselves: a difference
   /// can have a heavier tail than either echo.

@@ -13,7 +13,7 @@ namespace photic::transport {
 template <class T>
 struct Aim {
   Vec3<T> direction;   ///< a unit vector
-  Mask<T> in_front{};  ///< whether that is in front of the lens: else nothing comes of it
+  Mask<T> in_front{};  ///< true if that is in front of the lens; else nothing is scored
 };
 
 /// To a point of the lens by a route to where the telescope stands. The refracted direction is

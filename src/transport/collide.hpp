@@ -1,5 +1,4 @@
-// What a collision makes of a photon: it survives as scattered light, or goes on at another
-// wavelength.
+// A collision of a photon: it survives as scattered light, or goes on at another wavelength.
 #pragma once
 
 #include "medium/medium.hpp"
@@ -8,7 +7,7 @@
 
 namespace photic::transport {
 
-/// What a collision decided.
+/// The decision of a collision.
 template <class T>
 struct Branch {
   Mask<T> converted{};  ///< the photon's line has changed

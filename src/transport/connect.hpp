@@ -15,7 +15,7 @@
 
 namespace photic::transport {
 
-/// One way from a point to a telescope. Where no lane is seen by the detector only the first is
+/// One way from a point to a telescope. Where the detector sees no lane only the first member is
 /// filled in.
 template <class T>
 struct Connection {
@@ -35,8 +35,8 @@ T paraxial_rise(const medium::MediumView& sea, const instrument::Telescope<T>& t
   return telescope.position.z - position.z * gather<T>(sea.inverse_index, line);
 }
 
-/// Whether a telescope's detector may see a point; cheap, for most lie far outside its field of
-/// view.
+/// Returns whether a telescope's detector may see a point; cheap, for most lie far outside its
+/// field of view.
 template <class T>
 Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                 const Vec3<T>& position, const Index<T>& line) {
@@ -137,8 +137,8 @@ struct Departure {
   Vec3<T> position;
   geometry::Route route = geometry::Route::direct;
 };
-/// What a way to a point of the lens counts as that stays in the medium of the telescope, which
-/// stands in a layer.
+/// The path of a way to a point of the lens that stays in the medium of the telescope, which stands
+/// in a layer.
 template <class T>
 T path_within(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
               const Index<T>& telescope_layer, const Departure<T>& from,

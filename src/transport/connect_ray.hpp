@@ -9,7 +9,7 @@
 
 namespace photic::transport {
 
-/// What a way's part in the air is longer than from the lens' centre to the origin [m].
+/// The excess of a way's part in the air over that from the lens' centre to the origin [m].
 template <class T>
 T longer_in_air(const instrument::Telescope<T>& telescope, const geometry::Sightline<T>& way,
                 const Index<T>& line, const instrument::PlanePoint<T>& lens) {
@@ -18,7 +18,7 @@ T longer_in_air(const instrument::Telescope<T>& telescope, const geometry::Sight
          way.to.delay(line, way.arriving.z);
 }
 
-/// What its part in the water counts as, from a place in a layer there.
+/// The path of its part in the water, from a place in a layer there.
 template <class T>
 T path_in_water(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                 const geometry::Sightline<T>& way, const Index<T>& line, const Index<T>& layer,
@@ -34,8 +34,8 @@ struct RayConnection : Connection<T> {
   instrument::Sight<T> sight;
 };
 
-/// As connect() gives it, for a lens all of which is at one of its points. `near_view`: whether
-/// may_see(); nothing is seen elsewhere.
+/// The connection as by connect(), for a lens all of which is at one of its points. `near_view`:
+/// the result of may_see(); nothing is seen elsewhere.
 template <class T>
 RayConnection<T> connect_ray(const geometry::Slabs& sea, const instrument::Telescope<T>& telescope,
                              const geometry::Region<T>& region, const Photon<T>& at,

@@ -22,7 +22,7 @@ T depth_to_lens(const medium::MediumView& sea, const geometry::Region<T>& region
   }
   return sea.optical_depth(line, sea.level(region.layer, way.depth())) / -way.direction.z;
 }
-/// What its path counts as.
+/// Its path as telescopes count it.
 template <class T>
 T path_to_telescope(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                     const geometry::Region<T>& region, const Index<T>& line,
@@ -158,7 +158,7 @@ WavesConnection<T> connect_by_waves(const geometry::Slabs& sea,
 }
 
 /// Light that stands at the surface and is about to meet a facet or a whitecap: straight from there
-/// to a point of the lens. Of waves of one direction whitecaps alone do that.
+/// to a point of the lens. With waves of one direction whitecaps alone do that.
 template <class T>
 SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
                                           const instrument::Telescope<T>& telescope,
@@ -201,7 +201,7 @@ SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
   return out;
 }
 
-/// The same of facets of waves of one direction. Those that lead to the lens have slopes between
+/// The same for facets of waves of one direction. Facets that lead to the lens have slopes between
 /// two bounds: one of these, drawn by a uniform, leads to a point of it or misses it.
 template <class T>
 RayConnection<T> connect_in_line(const geometry::Slabs& sea,

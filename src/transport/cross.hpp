@@ -1,4 +1,4 @@
-// What the surface makes of photons that come to it: the share of their weight that goes on.
+// Photons that come to the surface: the share of their weight that goes on.
 #pragma once
 
 #include "core/elementary.hpp"
@@ -10,8 +10,8 @@
 
 namespace photic::transport {
 
-/// Takes photons from a region of the air to the surface, as it were flat, but for what meets the
-/// air. Tells which get there; the others fly away and are left as they are.
+/// Takes photons from a region of the air to the surface, as if it were flat; their weight takes
+/// the air's share. Returns which get there; the others fly away and are left as they are.
 template <class T>
 Mask<T> come_down(const geometry::Region<T>& from, Photon<T>& photon) {
   const Mask<T> downward = photon.direction.z < T(0);
@@ -30,11 +30,11 @@ Mask<T> come_down(const geometry::Region<T>& from, Photon<T>& photon) {
 /// A way up to the surface.
 template <class T>
 struct CameUp {
-  Mask<T> rises{};  ///< who comes there
+  Mask<T> rises{};  ///< the photons that come there
   T length{};       ///< [m]
 };
 /// Takes photons in the water to the surface, without colliding: their weight takes the chance of
-/// that. Those who do not rise are left as they are.
+/// that. Photons that do not rise are left as they are.
 template <class T>
 CameUp<T> come_up(const medium::MediumView& sea, Photon<T>& photon) {
   CameUp<T> way;
@@ -53,7 +53,7 @@ CameUp<T> come_up(const medium::MediumView& sea, Photon<T>& photon) {
 }
 
 /// Takes photons from where their instrument stands into the water: from the air through the flat
-/// surface, where their weight takes the share that passes. Tells which photons get there.
+/// surface, where their weight takes the share that passes. Returns which photons get there.
 template <class T>
 Mask<T> enter_water(const medium::MediumView& sea, const geometry::Region<T>& from,
                     Photon<T>& photon) {
@@ -71,7 +71,7 @@ Mask<T> enter_water(const medium::MediumView& sea, const geometry::Region<T>& fr
 template <class T>
 struct Leaving {
   T through{}, into_film{};
-  Vec3<T> direction;  ///< of what goes through
+  Vec3<T> direction;  ///< of the light that goes through
 };
 
 /// Reflects a photon that stands at the surface back into the water: its weight takes the

@@ -10,21 +10,21 @@ namespace photic::transport {
 /// Light at the surface: it comes down to it in the air, or rises to it in the water.
 template <class T>
 struct AtWaves {
-  Mask<T> meets{};   ///< who is about to meet a facet
-  Mask<T> in_air{};  ///< who does so from above; the others from below
+  Mask<T> meets{};   ///< the photons about to meet a facet
+  Mask<T> in_air{};  ///< those that do so from above; the others from below
 };
-/// What became of those who met one.
+/// The fate of photons that met one.
 template <class T>
 struct AfterFacet {
-  Mask<T> in_water{};  ///< who goes down in the water
-  Mask<T> left{};      ///< who rises in the air, where weights do not split
+  Mask<T> in_water{};  ///< those that go down in the water
+  Mask<T> left{};      ///< those that rise in the air, where weights do not split
   T escaped{};         ///< weight that rises in the air ...
   Vec3<T> risen;       ///< ... in this direction
   T into_film{};       ///< weight that a film of oil absorbs
   T gained{};          ///< weight less what it was, before that is taken off
   surface::Meeting<T> meeting;
-  /// Where weights do not split: how likely a walk that comes the other way (waves_back.hpp) draws
-  /// this facet and goes on as this light has come, over how likely this light does it.
+  /// Where weights do not split: the likelihood that a walk the other way (waves_back.hpp) draws
+  /// this facet and goes on as this light has come, over the likelihood of this light's own draws.
   T chance_back{1};
 };
 
@@ -101,9 +101,9 @@ WaysOn<T> ways_on(const surface::RoughSurface<T>& surface, const Vec3<T>& direct
   return out;
 }
 
-/// Has photons meet a facet or a whitecap. Those who then neither go down in the water nor rise in
-/// the air are between facets: they are about to meet another one. Chance decides which way they
-/// go. Where `splits`, if one way leads away from the surface in the air the other one is taken,
+/// Has photons meet a facet or a whitecap. Photons that then neither go down in the water nor rise
+/// in the air are between facets: they are about to meet another one. Chance decides between the
+/// ways. Where `splits`, if one way leads away from the surface in the air the other one is taken,
 /// and the weight is shared out.
 template <class T>
 AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& photon, AtWaves<T>& at,

@@ -22,8 +22,8 @@ WavesAxes<T> axes_of(const surface::WavesView& waves) {
   return {crosswind, upwind, waves.crosswind_deviation};
 }
 
-/// Where the rays that a detector sees through a point of the lens come to the surface, along a
-/// level direction.
+/// The span of the surface, along a level direction, where the rays come from that a detector sees
+/// through a point of the lens.
 template <class T>
 struct SeenSpan {
   Mask<T> exists{};
@@ -33,8 +33,8 @@ template <class T>
 SeenSpan<T> seen_span(const instrument::Telescope<T>& telescope,
                       const instrument::PlanePoint<T>& lens, const Vec3<T>& along) {
   using std::sqrt;
-  // Rays are axis + s.x across + s.y up with s in a disc: where they come is a quotient of linear
-  // functions of s, whose extremes are on the rim.
+  // Rays are axis + s.x across + s.y up with s in a disc: their place on the surface is a quotient
+  // of linear functions of s, whose extremes are on the rim.
   const auto middle = (T(0) - telescope.per_sharp_range) * lens;
   const T radius = telescope.detector_radius / telescope.detector_distance;
   const Vec3<T> ray = telescope.axis + in_plane(telescope, middle);
@@ -107,7 +107,8 @@ PointInLine<T> point_in_line(const WavesAxes<T>& axes, const NearLevel<T>& level
   return out;
 }
 
-/// Of the points by which waves of one direction are crossed, if there are whitecaps.
+/// The share of whitecaps in the points by which waves of one direction are crossed, if there are
+/// any.
 inline double share_of_whitecaps(const surface::WavesView& waves) {
   return waves.whitecap_fraction > 0 ? 0.25 : 0;
 }
@@ -136,7 +137,7 @@ DrawnInLine<T> draw_point_in_line(const surface::WavesView& waves,
   return {white, {exists, select(white, of_whitecap, in_line.at)}, in_line};
 }
 
-/// Where a ray comes through the plane of a lens.
+/// The point where a ray comes through the plane of a lens.
 template <class T>
 struct ComesToLens {
   Mask<T> open{};  ///< within the lens, from ahead

@@ -21,12 +21,12 @@ struct FlightEnd {
   Index<T> layer{};  ///< the photon's; of one at the surface, where its free path ends if reflected
 };  ///< neither surface nor black bed: it collides where it stands, in water or on the bed
 
-/// Where flights begin.
+/// The start of flights.
 template <class T>
 struct FlightStart {
   medium::Level<T> level;
   T walk_tau{};                  ///< the walk's optical depth from the surface straight down
-  medium::Column<T> continuous;  ///< of what is absorbed along the way
+  medium::Column<T> continuous;  ///< of absorption along the way
 };
 template <class T>
 FlightStart<T> flight_start(const geometry::Slabs& sea, const Photon<T>& photon) {
@@ -34,7 +34,7 @@ FlightStart<T> flight_start(const geometry::Slabs& sea, const Photon<T>& photon)
   return {level, sea.walk_optical_depth(photon.line, level),
           sea.continuous_column(photon.line, level)};
 }
-/// Of photons at the surface.
+/// The start of photons at the surface.
 template <class T>
 FlightStart<T> flight_start_at_surface(const geometry::Slabs& sea, const Index<T>& line) {
   return {{}, {}, {gather<T>(sea.continuous_c.first, sea.at(line, Index<T>(0))), {}}};
@@ -120,7 +120,7 @@ Index<T> layer_at(const geometry::Slabs& sea, const Index<T>& from, const T& dep
   return sea.by_depth.layer_of(Index<T>(0), from, depth);
 }
 
-/// Moves a photon by a distance, whatever it passes. Tells whether it is still in the water.
+/// Moves a photon by a distance, whatever it passes. Returns whether it is still in the water.
 template <class T>
 Mask<T> advance(const geometry::Slabs& sea, Photon<T>& photon, const T& distance) {
   const auto from = geometry::level_of(sea, photon);

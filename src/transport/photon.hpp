@@ -14,7 +14,7 @@ struct Photon {
   T path{};            ///< sum of length times group index since its start: for a laser's light,
                        ///< that of the axis less (instrument/laser.hpp) [m]
   Index<T> line{};     ///< wavelength, a line of the medium
-  Index<T> layer{};    ///< where it is in the water
+  Index<T> layer{};    ///< in the water
   Index<T> order{};    ///< scatterings and conversions so far
 
   /// Calls f(member) for each.

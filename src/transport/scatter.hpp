@@ -11,8 +11,9 @@
 
 namespace photic::transport {
 
-/// Where light is worth sending from where a photon stands, and how often. About its direction a
-/// target has either a lobe of the shape of a phase function, or a cone filled evenly.
+/// The directions in which light is worth sending from a photon's place, and their weights. About
+/// its direction a target has either a lobe of the shape of a phase function, or a cone filled
+/// evenly.
 template <class T, int capacity>
 struct Targets {
   std::array<Vec3<T>, capacity> direction;
@@ -21,7 +22,7 @@ struct Targets {
   int count = 0;
   T total_weight{};
 
-  /// Of directions that are drawn towards targets: `directed` where there are any.
+  /// The share of directions that are drawn towards targets: `directed` where there are any.
   T share(const T& directed) const { return select(total_weight > T(0), directed, T(0)); }
 
   void clear() {
@@ -104,7 +105,7 @@ Deflection<T> deflect(const medium::MediumView& sea, const Index<T>& layer, cons
   return out;
 }
 
-/// Where it leads.
+/// The direction that it leads to.
 template <class T>
 Vec3<T> turned(const Deflection<T>& by) {
   return turned(by.axis, by.one_minus_cos, by.cos_azimuth, by.sin_azimuth);

@@ -18,15 +18,15 @@ struct SurfacePointUniforms {
   T choice{}, radius{}, azimuth{};
 };
 
-/// What leads by a point near the one by which a level surface leads light on: the slope grows
-/// evenly with how far off it is.
+/// Slopes that lead by a point near the one by which a level surface leads light on: they grow
+/// evenly with the distance from it.
 template <class T>
 struct NearLevel {
   Vec3<T> at;          ///< by which a level surface leads
   T xx{}, xy{}, yy{};  ///< slope per metre: a symmetric matrix
 
   [[nodiscard]] T determinant() const { return xx * yy - xy * xy; }
-  /// How far off a slope leads.
+  /// The offset to which a slope leads.
   [[nodiscard]] Vec3<T> off(const T& slope_x, const T& slope_y) const {
     const T per = T(1) / determinant();
     return {per * (yy * slope_x - xy * slope_y), per * (xx * slope_y - xy * slope_x), T(0)};
@@ -70,7 +70,7 @@ Vec3<T> point_by_slopes(const NearLevel<T>& g, const surface::WavesView& waves, 
   const Vec3<T> slope = T(wider_slopes) * in_space(waves, surface::sample_slope(waves, u1, u2));
   return g.at + g.off(slope.x, slope.y);
 }
-/// Of such points, per level area [1/m^2].
+/// The density of such points, per level area [1/m^2].
 template <class T>
 T density_by_slopes(const NearLevel<T>& g, const surface::WavesView& waves, const Vec3<T>& at) {
   using std::abs;
@@ -89,7 +89,7 @@ struct FromSurface {
   instrument::Sight<T> sight;
   Mask<T> seen{};  ///< by the detector
 
-  /// Of the point of the lens, if it is in the water.
+  /// The depth of the point of the lens, if it is in the water.
   [[nodiscard]] T depth() const { return T(0) - direction.z * length; }
   /// To the vertical, of a way up; of others 1.
   [[nodiscard]] T rising_cosine() const { return select(direction.z > T(0), direction.z, T(1)); }
@@ -127,7 +127,7 @@ SurfacePoint<T> point_seen(const instrument::Telescope<T>& telescope,
   const T distance = (T(0) - start.z) / select(leads, out.z, T(1));
   return {leads, {start.x + distance * out.x, start.y + distance * out.y, T(0)}};
 }
-/// Of such points, of which a way leads to the detector [1/m^2].
+/// The density of such points from which a way leads to the detector [1/m^2].
 template <class T>
 T density_seen(const instrument::Telescope<T>& telescope, const FromSurface<T>& way) {
   using std::abs;

@@ -1,5 +1,5 @@
-// What light has touched on its way: this tells the processes of light of the laser's wavelength
-// apart.
+// The places that light has touched on its way, which separate the processes of light of the
+// laser's wavelength.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace photic::transport {
 
-/// Of several the highest counts. `surface`: nothing but a rough surface. `air`: nothing but that
-/// and the air.
+/// Places that light has touched; the highest counts. `surface`: nothing but a rough surface.
+/// `air`: nothing but that and the air.
 enum class Touched : std::int32_t { water, bed, surface, air };
 inline constexpr std::int32_t kinds_touched = 4;
 
-/// What light has touched that comes to a place.
+/// The places touched by light that comes to a place.
 template <class T>
 Index<T> touched_at(const medium::MediumView& sea, const Index<T>& layer, const Index<T>& before) {
   const Index<T> bed(static_cast<std::int32_t>(Touched::bed));
@@ -30,7 +30,7 @@ Index<T> light_of(const medium::MediumView& sea, const Index<T>& line, const Ind
 
 /// The depth below the surface of a place in a medium: negative in the air.
 template <class T>
-T depth_told(const medium::MediumView& sea, const T& depth) {
+T signed_depth(const medium::MediumView& sea, const T& depth) {
   return sea.upside_down ? T(0) - depth : depth;
 }
 

@@ -16,13 +16,13 @@ namespace photic::transport {
 /// A walk at the surface.
 template <class T>
 struct BackAtWaves {
-  Mask<T> meets{};    ///< who is about to meet a facet
-  Mask<T> in_air{};   ///< who is in the air
-  Mask<T> leaving{};  ///< who could have left the surface, and goes on to a steeper facet
+  Mask<T> meets{};    ///< the walks about to meet a facet
+  Mask<T> in_air{};   ///< those in the air
+  Mask<T> leaving{};  ///< those that could have left the surface, and go on to a steeper facet
 };
 template <class T>
 struct AfterFacetBack {
-  Mask<T> in_water{};  ///< who leaves the surface, down in the water
+  Mask<T> in_water{};  ///< those that leave the surface, down in the water
   T chance{1};         ///< to have gone so over the chance that light goes the other way
   surface::Meeting<T> meeting;
 };
@@ -59,7 +59,7 @@ WayBack<T> back_from_facet(const surface::RoughSurface<T>& surface, const Vec3<T
   way.slope = facet.slope;
   way.direction = select(reflects, by.reflected, by.transmitted);
   way.in_air = (at.in_air & reflects) | !(at.in_air | reflects);
-  // What passes takes (n_i / n_t)^2 along: a walk from a telescope carries étendue.
+  // Light that passes takes (n_i / n_t)^2 along: a walk from a telescope carries étendue.
   const T passes = (n1 / n2) * (n1 / n2);
   way.gain = select(exists, seen, T(0)) * surface::series(waves, facet.slope) *
              select(reflects, T(1), passes);
@@ -67,7 +67,7 @@ WayBack<T> back_from_facet(const surface::RoughSurface<T>& surface, const Vec3<T
     way.gain = way.gain * select(reflects, back / drawn, by.transmittance / (T(1) - drawn));
   if (surface.face.oily) {
     way.gain = way.gain * select(reflects, by.reflected_of_rest(), T(1));
-    // As light goes: the other way.
+    // The light's direction: the other way.
     way.film = surface::film_crossing(surface.line, way.in_air, Mask<T>(!reflects), way.direction,
                                       before, facet.normal);
   }

@@ -1,5 +1,5 @@
 // Analog photons: nothing is expected, everything happens or not, down to the detector that a
-// photon falls on. As slow as nature, and as plain: what the other estimators are checked against.
+// photon falls on. As slow as nature, and as plain: the other estimators are checked against them.
 #pragma once
 
 #include <array>
@@ -75,7 +75,7 @@ struct AnalogPhotons : Track<T> {
 template <class T>
 using AnalogPassed = std::vector<AnalogPhotons<T>>;
 
-/// What analog photons make of the steps of an event (estimator/event.hpp): chance decides.
+/// The steps of an event (estimator/event.hpp) of analog photons: chance decides.
 template <class T, class Ledger>
 struct AnalogSteps {
   const World<T>& world;
@@ -235,8 +235,8 @@ class Analog {
   /// The same under air, in which the laser stands.
   Analog(const World<T>& water, const World<T>& air) : water_(water), air_(&air) {}
 
-  /// Photons `first` … `first + count - 1`, the first of a batch and up. `witness` is told of them
-  /// at the end of each event, and who was on the way before.
+  /// Photons `first` … `first + count - 1`, the first of a batch and up. `witness` is called at the
+  /// end of each event with them and the mask of those on their way before.
   template <class Witness>
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Witness witness) {
     const World<T>& world = air_ != nullptr ? *air_ : water_;
@@ -270,7 +270,7 @@ class Analog {
       witness(photons, before);
     }
   }
-  /// Those who have come from the other medium.
+  /// Follows the photons that have come from the other medium.
   template <class Witness>
   static void go_on(const World<T>& world, Ledger& ledger, AnalogPassed<T>& arrivals,
                     AnalogPassed<T>& passed, tally::BatchTally& tally, Witness& witness) {

@@ -1,4 +1,4 @@
-// What a collision makes of an analog photon: nothing is weighed, all is decided.
+// A collision of an analog photon: nothing is weighed, all is decided.
 #pragma once
 
 #include "medium/medium.hpp"
@@ -7,7 +7,7 @@
 
 namespace photic::estimator {
 
-/// The photons of a mask are scattered where they stand, or converted, or absorbed. Tells who goes
+/// Scatters the photons of a mask where they stand, or converts or absorbs them. Returns which go
 /// on.
 template <class T>
 Mask<T> collide_by_chance(const medium::MediumView& sea, transport::Photon<T>& photon,

@@ -1,6 +1,6 @@
 // An analog photon in a flat film of oil: refracted, reflected to and fro, absorbed where chance
-// has it, and perhaps emitted anew. What optics/film.hpp has in closed forms happens here step by
-// step, in one of two polarisations drawn by lot.
+// has it, and perhaps emitted anew. The closed forms of optics/film.hpp happen here step by step,
+// in one of two polarisations drawn by lot.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@
 
 namespace photic::estimator {
 
-/// What became of photons.
+/// The fate of photons.
 template <class T>
 struct AfterFilm {
   Mask<T> up{},
-      down{};         ///< who leaves it into the air, and into the water; the others are absorbed
-  Mask<T> emitted{};  ///< of them, who were absorbed in it before
+      down{};  ///< photons that leave it into the air, and into the water; the others are absorbed
+  Mask<T> emitted{};  ///< those of them that were absorbed in it before
 };
 
 /// In the film.
@@ -26,7 +26,7 @@ template <class T>
 struct InFilm {
   Mask<T> inside{};
   T depth{};               ///< 0 at the air, 1 at the water
-  Mask<T> sinks{};         ///< which way it goes
+  Mask<T> sinks{};         ///< true if it goes down
   T cosine{};              ///< to the vertical
   T along_x{}, along_y{};  ///< level part of the direction, times the index
   Mask<T> s{};             ///< polarised across the plane of incidence; the others in it
@@ -87,7 +87,7 @@ AfterFilm<T> film_by_chance(const medium::MediumView& sea, const RandomPlace<T>&
     out.down = out.down | (leaves & at.sinks);
     at.sinks = (at.sinks & !arrives) | (arrives & !at.sinks);
     at.inside = at.inside & !leaves;
-    // Where it is absorbed.
+    // The place of its absorption.
     if (!any(absorbed)) continue;
     Mask<T> shines(false);
     if (surface::film_shines(sea)) {

@@ -1,4 +1,4 @@
-// How a walk's light spreads on the way from its instrument.
+// The spread of a walk's light on the way from its instrument.
 #pragma once
 
 #include "geometry/crossing.hpp"
@@ -6,8 +6,8 @@
 
 namespace photic::estimator {
 
-/// How a walk's light spreads from its instrument: from a point, in directions that are drawn with
-/// the density 1 / solid_angle.
+/// The spread of a walk's light from its instrument: from a point, in directions that are drawn
+/// with the density 1 / solid_angle.
 template <class T>
 struct Spread {
   bool through_surface = false;

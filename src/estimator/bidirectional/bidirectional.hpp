@@ -29,13 +29,13 @@ struct WalkDraws {
   }
 };
 
-/// How the laser's walks begin.
+/// The beginning of the laser's walks.
 template <class T, class Ledger>
 struct FromLaser : WalkDraws<T> {
   const World<T>& world;
   Ledger& ledger;
 
-  bool of_own_rays = true;  ///< else the others, whose light is none of the laser's
+  bool of_own_rays = true;  ///< else the others, whose light is not the laser's
 
   [[nodiscard]] static std::int32_t instrument() { return of_laser; }
   [[nodiscard]] const EntryCone<T>& cone() const { return world.laser_cone; }
@@ -79,7 +79,7 @@ struct FromLaser : WalkDraws<T> {
     book_way_in(walk, exist, u, select(birth.exists, birth.photon.weight, T(0)));
     return birth;
   }
-  /// What does not get into the water; `weight`: what does.
+  /// Books the weight that does not get into the water; `weight`: that which does.
   void book_way_in(const Index<T>& walk, const Mask<T>& exist, const std::array<T, 4>& u,
                    const T& weight) {
     T escaped = T(1) - weight;
@@ -92,7 +92,7 @@ struct FromLaser : WalkDraws<T> {
     }
     book(ledger.escaped, exist, escaped);
   }
-  /// Who does not set out.
+  /// The walks that do not set out.
   [[nodiscard]] Mask<T> left_out(const Birth<T>& birth) const {
     return of_own_rays ? !birth.exists : Mask<T>(false);
   }
@@ -101,12 +101,12 @@ struct FromLaser : WalkDraws<T> {
   }
 };
 
-/// How a telescope's walks begin.
+/// The beginning of a telescope's walks.
 template <class T, class Ledger>
 struct FromTelescope : WalkDraws<T> {
   const World<T>& world;
   const Receiver<T>& receiver;
-  Ledger ledger{};  ///< of no interest: the result's is the laser's light's
+  Ledger ledger{};  ///< not reported: the result has the ledger of the laser's light
 
   [[nodiscard]] std::int32_t instrument() const { return of_telescope(receiver.telescope); }
   [[nodiscard]] const EntryCone<T>& cone() const {
@@ -169,7 +169,7 @@ struct FromTelescope : WalkDraws<T> {
     return gather_index<T>(world.sea.line_of_spectral_bin,
                            Index<T>(receiver.band * medium::spectral_bins) + spectral_bin);
   }
-  /// Whether light can still come from the laser within the last gate.
+  /// Returns whether light can still come from the laser within the last gate.
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return receiver.deadline.is_met(photon, world.min_group_index);
   }

@@ -1,4 +1,4 @@
-// Where the walks of the bidirectional estimator begin: the laser's light, and the way back of the
+// The beginnings of the bidirectional estimator's walks: the laser's light, and the way back of the
 // light that falls on a telescope's detector.
 #pragma once
 
@@ -12,7 +12,8 @@
 
 namespace photic::estimator {
 
-/// Where an instrument's ray comes through waves. Of a telescope in the water only the uniforms.
+/// The point where an instrument's ray comes through waves. For a telescope in the water only the
+/// uniforms.
 template <class T>
 struct SurfaceEntry {
   Mask<T> exists{true};                  ///< not kept
@@ -37,7 +38,7 @@ struct Birth {
   transport::Photon<T> photon;
   Spread<T> spread;
   Index<T> facets{};           ///< of BirthRecord
-  instrument::Sight<T> sight;  ///< what a telescope sees by it
+  instrument::Sight<T> sight;  ///< a telescope's view by it
   SurfaceEntry<T> entry;       ///< if it comes through waves
 };
 
@@ -73,7 +74,7 @@ Birth<T> birth_in_water(const medium::MediumView& sea, const geometry::Region<T>
   return birth;
 }
 
-/// How far a ray of an instrument leads aside per length along the axis; 0 if that leads back.
+/// The distance aside of an instrument's ray per length along the axis; 0 if that leads back.
 template <class T>
 T along_axis(const EntryCone<T>& cone, const EntryRay<T>& ray) {
   const T cosine = T(1) + dot(ray.off_axis, cone.outside);

@@ -8,8 +8,8 @@
 
 namespace photic::estimator {
 
-/// Where the first vertices of free walks of an instrument have to come to be seen or lit: within a
-/// circle.
+/// The circle within which the first vertices of an instrument's free walks have to come to be seen
+/// or lit.
 template <class T>
 struct FreeStart {
   T x{}, y{};       ///< the first vertex, from the circle's centre [m]
@@ -39,7 +39,7 @@ T way_down_of(bool in_air, const T& z, const T& first_z, const Mask<T>& by_surfa
   return select(by_surface, T(0) - (first_z + z), T(abs(first_z - z)));
 }
 
-/// Whether walks may be free: under waves those that begin in a part of the cone.
+/// Returns whether walks may be free: under waves those that begin in a part of the cone.
 template <class T>
 Mask<T> Connections<T>::may_be_free(const Walks<T>& walks, std::int32_t instrument,
                                     const Index<T>& walk) const {
@@ -231,7 +231,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_laser(FreePairing<T>
   const Vertex first = laser_.vertex(pairing.laser, Index<T>(0));
   const Vec3<T> moved = -apart(pair, pairing.depth);
   const Vec3<T> at = first.position + moved;
-  // On a bed whose albedo depends on how light comes to it: see averaged_over_drawn().
+  // Walks on a bed whose albedo depends on the angle are never free: see averaged_over_drawn().
   const Mask<T> may = sea_.bed_angles > 1 ? mask & !on_bed(first.layer) : mask;
   if (sea_.waves.rough) {
     const auto entry =

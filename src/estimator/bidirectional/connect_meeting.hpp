@@ -1,4 +1,4 @@
-// What two rays that meet score (a part of connections.hpp).
+// The score of two rays that meet (a part of connections.hpp).
 #pragma once
 
 #include "estimator/bidirectional/connections.hpp"
@@ -135,7 +135,7 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
   const T jacobian = rotation_jacobian(where, out.direction, back.direction).about(axis);
   const T translations = freedom.at(is_first, is_last);
   T moved = translations * steep + samples_.rotated * T(2 * pi) * jacobian;
-  T out_over_back(1);  // what p of the laser's edge is to that of the telescope's, on the bed
+  T out_over_back(1);  // ratio of p of the laser's edge to that of the telescope's, on the bed
   if (sea_.bed_angles > 0) {
     moved = select(at.bed, translations * T(-samples_.grid.below_bed()) * back.direction.z, moved);
     out_over_back = select(at.bed, back.direction.z / out.direction.z, T(1));

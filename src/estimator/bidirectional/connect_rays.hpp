@@ -6,7 +6,7 @@
 
 namespace photic::estimator {
 
-/// Lists all rays of so many walks of the laser; tells how many there are.
+/// Lists all rays of so many walks of the laser; returns their number.
 template <class T>
 std::int32_t Connections<T>::list_laser_rays(std::size_t first, std::size_t walks) {
   walk_of_.resize(walks * (max_vertices + 1) + lanes_of<T>);  // packs are read beyond the end
@@ -116,7 +116,7 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
       });
 }
 
-/// Where a telescope's ray can meet a laser's so that its walk comes through the lens.
+/// The chord where a telescope's ray can meet a laser's so that its walk comes through the lens.
 template <class T>
 Chord<T> Connections<T>::chord_of(const DepthLine& out_line, const DepthLine& back_line,
                                   const Index<T>& m, const AtLens<T>& start) const {
@@ -296,9 +296,9 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_rotated(const PlacedPairi
           transport::layer_at(sea_, pair.out.layer, pairing.depth));
 }
 
-/// What a telescope's walk of two vertices or more draws near its first one has other densities if
-/// it comes there otherwise: of the direction in which it leaves it (1 over that, `per_p`), and of
-/// the choice how to (`chance`), both over what they were. `only`: the ray begins there.
+/// Changes the densities near the first vertex of a telescope's walk, of two vertices or more, that
+/// comes there otherwise: of the direction in which it leaves it (1 over that, `per_p`), and of the
+/// choice of the way (`chance`), both over their former values. `only`: the ray begins there.
 template <class T>
 void Connections<T>::change_first(const Mask<T>& only, const T& per_p, const T& chance, Ray& ray,
                                   NearFirst<T>& near, FreeArea<T>& free) {
@@ -314,8 +314,8 @@ void Connections<T>::change_first(const Mask<T>& only, const T& per_p, const T& 
   near.translated = near.translated * per_p;
 }
 
-/// A rotation changes the scattering angle at the pivot, and with it the phase function's value
-/// there. Where light is converted all strategies draw this angle alike (eq. 79).
+/// Rotates the pivot. A rotation changes the scattering angle at the pivot, and with it the phase
+/// function's value there. Where light is converted all strategies draw this angle alike (eq. 79).
 template <class T>
 void Connections<T>::rotate_pivot(const RayPairing<T>& pairing, const Rotation<T>& rotation,
                                   Ray& back, Met<T>& met) const {

@@ -1,6 +1,6 @@
 // Meetings under tilted lenses: a translation makes the way from the lens longer or shorter (a part
-// of connections.hpp; eq. 80). They stand apart from those under upright lenses, whose
-// loops stay short.
+// of connections.hpp; eq. 80). They are apart from meetings under upright lenses, whose loops stay
+// short.
 #pragma once
 
 #include "estimator/bidirectional/connections.hpp"
@@ -14,8 +14,8 @@ PHOTIC_APART Chord<T> Connections<T>::tilted_chord(DepthLine out_line, DepthLine
   return chord(out_line, translatable(back_line, m), telescope_, start, receiver_.last_path);
 }
 
-/// Whether a telescope's ray that has been translated goes through a depth; later ones only in
-/// walks that all points of the lens can begin.
+/// Returns whether a telescope's translated ray goes through a depth; later rays only in walks that
+/// all points of the lens can begin.
 template <class T>
 Mask<T> Connections<T>::can_meet(const RayPair<T>& pair, const Ray& moved, const T& depth) const {
   if (!is_aslant(telescope_)) return Mask<T>(true);
@@ -59,10 +59,10 @@ PHOTIC_APART void Connections<T>::lengthen_to_entry(const RayPairing<T>& pairing
   met.back_near.instrument_edge = met.back_near.instrument_edge * wider;
 }
 
-/// The way from a tilted lens becomes longer, or shorter. That changes when light is there; in the
-/// water also how much of it is, and how likely walks go so far; and the densities of connecting
-/// this edge and of meeting at its end, which later rays carry on. Walks that begin at facets come
-/// there anyhow, and their edge is not connected.
+/// Lengthens or shortens the way from a tilted lens. That changes the time of the light; in the
+/// water also its weight, and the chance that walks go so far; and the densities of connecting this
+/// edge and of meeting at its end, which later rays carry on. Walks that begin at facets come there
+/// anyhow, and their edge is not connected.
 template <class T>
 PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
                                            const BirthRecord<T>& birth, T length, Ray& back,
@@ -70,7 +70,7 @@ PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
   const Index<T> line = back_.line(pairing.back);
   const Index<T> here = sea_.at(line, receiver_.region.layer);
   const Mask<T> first = pairing.m == Index<T>(0);
-  T growth(1);  // of what walks draw along it
+  T growth(1);  // of the walks' draws along it
   if (telescope_.submerged) {
     const Mask<T> straight = back_.facets(pairing.back) == Index<T>(0);
     length = select(first & straight, T(0), length);  // such first rays have been moved

@@ -190,7 +190,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>
   }
   const Vec3<T> vertex = fictitious_vertex(laser);
   for (const auto route : geometry::routes_to(world_.laser_region.in_air)) {
-    // What facets of waves send down to a vertex is left to the laser's walks.
+    // Light that facets of waves send down to a vertex is left to the laser's walks.
     if (sea_.waves.rough && route == geometry::Route::mirrored) return;
     const auto way =
         geometry::sightline(sea_, w.position, line, vertex, world_.laser_region, route, wanted);

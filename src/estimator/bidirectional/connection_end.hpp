@@ -1,4 +1,4 @@
-// How a vertex of a walk takes part in a connection: its weight and the densities of strategies, if
+// A vertex of a walk as the end of a connection: its weight and the densities of strategies, if
 // light leaves it, or comes to it, along a new edge.
 //
 // An edge of the laser's light ends at a vertex of the telescope's walk that scatters it or
@@ -20,14 +20,14 @@ struct ConnectionEnd {
   T meeting{};   ///< density of meeting at this end, but for what the other end adds
 };
 
-/// How walks of a path may be moved as wholes to meet at one of its vertices.
+/// The freedom of a path's walks to be moved as wholes to meet at one of its vertices.
 template <class T>
 struct Freedom {
   T translations{};      ///< of PathFreedom, there [m]
   RotationAxis<T> axis;  ///< of a telescope's walk's rotation beyond its pivot
 
   /// Density of meeting at a vertex that is left in a direction, but for the phase function there
-  /// and for what the edge beyond adds. `converts`: who converts light there.
+  /// and for the edge beyond. `converts`: the walks that convert light there.
   T meeting(const Vertex<T>& v, const Vec3<T>& direction, const Mask<T>& converts) const {
     T density = v.translated;
     if (any(converts)) density = select(converts, met_either_way(density, direction.z), density);

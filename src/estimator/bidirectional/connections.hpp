@@ -62,7 +62,7 @@ class Connections {
   /// that they meet.
   void meetings(std::size_t first_laser, std::size_t walks, std::size_t back,
                 Moves moves = Moves::all);
-  /// What still waits for others to fill a pack.
+  /// Scores the pairings that still wait for others to fill a pack.
   void flush();
 
  private:
@@ -85,7 +85,7 @@ class Connections {
   void rotate(const RayPairing<T>& pairing, const Mask<T>& mask, const DepthLine& out_line,
               const DepthLine& back_line, const RotationAxis<T>& axis);
 
-  // What is done with the pairings of a mask once they fill a pack.
+  // The work on the pairings of a mask once they fill a pack.
   void serve_to_telescope(const Pairing<T>& pairing, const Mask<T>& mask);
   void serve_to_laser(const Pairing<T>& pairing, const Mask<T>& mask);
   void serve_between(const Pairing<T>& pairing, const Mask<T>& mask);
@@ -175,9 +175,9 @@ class Connections {
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
     return {order, world_.max_vertices};
   }
-  /// How far walks may be moved in paths of an order, whose last vertex is at a depth: by the lens,
-  /// whose rays have an area, and by free areas of both walks. Before the last vertex only walks
-  /// that all points of the lens can begin are translated.
+  /// The freedom of walks to be moved in paths of an order, whose last vertex is at a depth: by the
+  /// lens, whose rays have an area, and by free areas of both walks. Before the last vertex only
+  /// walks that all points of the lens can begin are translated.
   [[nodiscard]] PathFreedom<T> path_freedom(const Index<T>& order, const T& translation_area,
                                             const T& last, const T& telescope_area,
                                             const T& laser_area) const {
@@ -205,22 +205,22 @@ class Connections {
     if (!samples_.frees() || !frees(instrument)) return T(0);
     return walks.free_area(walk).area();
   }
-  /// Whether an instrument's walks may be free: the depth of their first vertex has to be drawn
-  /// whatever the ray.
+  /// Returns whether an instrument's walks may be free: the depth of their first vertex has to be
+  /// drawn whatever the ray.
   [[nodiscard]] bool frees(std::int32_t instrument) const {
     return world_.cone(instrument).by_depth;
   }
-  /// Whether walks of the laser are of its own light.
+  /// Returns whether walks of the laser are of its own light.
   [[nodiscard]] Mask<T> is_lit(const Index<T>& laser) const {
     return world_.laser_cone.exact ? Mask<T>(true) : laser_.is_own(laser);
   }
-  /// Whether vertices can be connected to an instrument in a region: waves of one direction lead no
-  /// ray of it to a given point.
+  /// Returns whether vertices can be connected to an instrument in a region: waves of one direction
+  /// lead no ray of it to a given point.
   [[nodiscard]] bool connects(const geometry::Region<T>& region) const {
     return !(sea_.waves.one_dimensional && region.in_air);
   }
   [[nodiscard]] std::int32_t instrument() const { return of_telescope(receiver_.telescope); }
-  /// Of the bed, where places are asked for.
+  /// The places on the bed, where places are asked for.
   [[nodiscard]] Mask<T> on_bed(const Index<T>& place) const {
     return sea_.bed_angles > 0 ? surface::on_bed<T>(sea_, place) : Mask<T>(false);
   }
@@ -229,23 +229,22 @@ class Connections {
     return {birth.lens, birth.outward,
             receiver_.region.in_air ? T(1) : sea_.path_per_metre<T>(line, receiver_.region.layer)};
   }
-  /// Whether light of the laser's line can leave a layer as light of a line.
+  /// Returns whether light of the laser's line can leave a layer as light of a line.
   [[nodiscard]] Mask<T> emits(const Index<T>& line, const Index<T>& layer) const {
     return (line == Index<T>(0)) | (gather<T>(sea_.conversion, sea_.at(line, layer)) > T(0));
   }
-  /// Whether rays m of a telescope's walk, and the laser's that meet them, meet where light is
-  /// converted.
+  /// Returns whether rays m of a telescope's walk meet the laser's where light is converted.
   [[nodiscard]] Mask<T> converts(std::size_t back, const Index<T>& m) const {
     if (!any(back_.line(Index<T>(back)) > Index<T>(0))) return Mask<T>(false);
     const std::int32_t last = back_.pivot_vertex(back);  // it converts there
     return last < 0 ? Mask<T>(true) : m <= Index<T>(last);
   }
-  /// Whether a path's light was scattered once and comes by one facet to a telescope in the water:
-  /// score_by_facet() has that.
+  /// Returns whether a path's light was scattered once and comes by one facet to a telescope in the
+  /// water: score_by_facet() has that.
   [[nodiscard]] Mask<T> is_scored_by_facet(const Pairing<T>& pairing) const {
     return (pairing.i + pairing.m == Index<T>(0)) & (back_.facets(pairing.back) == Index<T>(1));
   }
-  /// Whether there is a bed that reflects light within the gates.
+  /// Returns whether there is a bed that reflects light within the gates.
   [[nodiscard]] bool comes_to_bed() const {
     return sea_.bed_angles > 0 && all(world_.deepest >= T(sea_.top[sea_.layers]));
   }
@@ -258,7 +257,7 @@ class Connections {
   [[nodiscard]] DepthLine depth_line_of(const Ray& ray) const {
     return depth_line(sea_, ray, world_.deepest);
   }
-  /// Of a telescope's ray m that may be translated: a first one may then begin elsewhere.
+  /// The line of a telescope's ray m that may be translated: a first one may then begin elsewhere.
   [[nodiscard]] DepthLine translatable(DepthLine line, const Index<T>& m) const {
     if (!is_aslant(telescope_)) return line;
     const T most = select(m == Index<T>(0), T(2) * telescope_.lens_rise, T(0));
@@ -267,7 +266,7 @@ class Connections {
     line.to = select(to < world_.deepest, to, world_.deepest);
     return line;
   }
-  /// Who sees light that the telescope with the widest view sees.
+  /// The narrowest telescope that sees light seen by the one with the widest view.
   [[nodiscard]] Index<T> seen_by(const instrument::Sight<T>& sight) const {
     return group_.narrowest(sight);
   }
@@ -276,24 +275,24 @@ class Connections {
     return scores_.nested() ? back_.telescope(back)
                             : Index<T>(static_cast<std::int32_t>(receiver_.telescope));
   }
-  /// Whether paths of an order can still be scored.
+  /// Returns whether paths of an order can still be scored.
   [[nodiscard]] Mask<T> in_order(const Index<T>& order) const {
     return order <= Index<T>(world_.last_order > 0 ? world_.last_order
                                                    : std::numeric_limits<std::int32_t>::max());
   }
-  /// Where the light of a telescope's walk was last scattered.
+  /// The depth where the light of a telescope's walk was last scattered.
   [[nodiscard]] T last_depth(const Index<T>& back) const {
     return -back_.vertex(back, Index<T>(0)).position.z;
   }
-  /// How a telescope's walk may be rotated in paths that convert at a place, or of which that is
-  /// the last vertex. Directions are those of the edges there.
+  /// The axis about which a telescope's walk may be rotated in paths that convert at a place, or
+  /// that have their last vertex there. Directions are those of the edges there.
   [[nodiscard]] RotationAxis<T> axis_at(const Vec3<T>& place, const Vec3<T>& telescope_edge,
                                         const Vec3<T>& laser_edge) const {
     const Mask<T> scatters =
         world_.rotates_scattered ? leads_aside(telescope_edge, laser_edge) : Mask<T>(false);
     return {Mask<T>((receiver_.line > Index<T>(0)) | scatters), place.x, place.y};
   }
-  /// The same in paths whose pivot lies on the telescope's walk, of which ray m and what lies
+  /// The same in paths whose pivot lies on the telescope's walk, where ray m and all that lies
   /// between are rotated, too. `reflected`: facets have sent that ray back.
   [[nodiscard]] RotationAxis<T> rotated_with(RotationAxis<T> axis, const Pairing<T>& pairing,
                                              const Mask<T>& reflected) const {
@@ -302,13 +301,13 @@ class Connections {
     axis.exists = axis.exists & back_.rotates(pairing.back, last);
     return axis;
   }
-  /// Whether a path's pivot is where light comes upon its telescope's walk of so many vertices, as
-  /// of a line there: an emitted line's is converted there, the laser's scattered for the last time
-  /// if the walk has no vertex before.
+  /// Returns whether a path's pivot is where light comes upon its telescope's walk of so many
+  /// vertices, as light of a line: an emitted line's light is converted there, the laser's
+  /// scattered for the last time if the walk has no vertex before.
   [[nodiscard]] static Mask<T> is_pivot(const Index<T>& line, const Index<T>& m) {
     return (line > Index<T>(0)) | (m == Index<T>(0));
   }
-  // What whole paths, put together of two walks, are in environments.
+  // The ratios of whole paths, put together of two walks, in environments.
   void complete_to_telescope(const Pairing<T>& pairing, const Vertex& v,
                              const geometry::Sightline<T>& way);
   void complete_by_facet(const Pairing<T>& pairing, const Vertex& v,
@@ -341,7 +340,7 @@ class Connections {
             world_.path_to_origin[receiver_.telescope],
             transport::light_of<T>(sea_, back_.line(pairing.back), touched),
             path.order,
-            transport::depth_told(sea_, path.last),
+            transport::signed_depth(sea_, path.last),
             path.length,
             path.value,
             walked};

@@ -1,4 +1,4 @@
-// What a walk that is to be connected does at a vertex: it is scattered, or, coming from a
+// The departure of a walk that is to be connected from a vertex: it is scattered, or, coming from a
 // telescope with converted light, becomes light of the laser's line.
 #pragma once
 
@@ -18,7 +18,7 @@ T walk_c_ratio(const geometry::Slabs& sea, const Index<T>& line, const Index<T>&
   return gather<T>(sea.walk_c.first, layer) * gather<T>(sea.walk_mean_path, sea.at(line, layer));
 }
 
-/// What a conversion's coefficient is to the attenuation of the line it emits [both 1/m].
+/// The ratio of a conversion's coefficient to the attenuation of the line it emits [both 1/m].
 template <class T>
 T conversion_per_emitted_c(const geometry::Slabs& sea, const Index<T>& line,
                            const Index<T>& layer) {

@@ -1,5 +1,5 @@
-// What a walk keeps of its first vertex: all that depends on how it came there from its instrument.
-// A free walk, which is put elsewhere, has it anew; the rest of the walk stays as it was drawn.
+// A walk's numbers at its first vertex: all that depend on its way there from its instrument. A
+// free walk, which is put elsewhere, has them anew; the rest of the walk stays as it was drawn.
 #pragma once
 
 #include "estimator/bidirectional/path_point.hpp"
@@ -30,9 +30,9 @@ struct FreeArea {
                   ///< that with which it was drawn
   T freed{1};     ///< of Spread
 
-  /// What of the footprint free walks can use.
+  /// The part of the footprint that free walks can use.
   [[nodiscard]] T level() const { return footprint * freed; }
-  /// By how much they may be moved: F of theory.md [m^2].
+  /// The area over which they may be moved: F of theory.md [m^2].
   [[nodiscard]] T area() const { return level() * averaged; }
 
   template <class F>
@@ -67,8 +67,7 @@ struct FirstVertex {
   }
 };
 
-/// Of how many rays and vertices on a first vertex' densities are complete, and can be used in a
-/// path.
+/// The densities of a first vertex that are complete, and can be used in a path.
 template <class T>
 struct Complete {
   Mask<T> instrument_edge, next_edge, meeting;
@@ -91,9 +90,9 @@ struct Complete {
 
 /// FreeArea::averaged of an instrument's walk that leaves its first vertex, at a place, in a
 /// direction: if it scatters light of a line; else it does so whichever way it came. `arriving_z`:
-/// of the direction in which it has come there, up or down; what the surface has reflected on the
-/// way has come about the image of the cone's axis. `p`: phase function's value. 0 of the laser's
-/// on a bed whose albedo depends on how light comes to it, and with it the walk's weight.
+/// of the direction in which it has come there, up or down; light reflected by the surface on the
+/// way has come about the image of the cone's axis. `p`: phase function's value. 0 for the laser's
+/// on a bed whose albedo depends on the angle of light, and with it the walk's weight.
 template <class T>
 T averaged_over_drawn(const World<T>& world, std::int32_t instrument, const Index<T>& line,
                       const Index<T>& place, const Mask<T>& scatters, const T& arriving_z,

@@ -1,4 +1,4 @@
-// What a walk's way from vertex to vertex does to its weight in environments.
+// The effect of a walk's way from vertex to vertex on its weight in environments.
 #pragma once
 
 #include <cmath>

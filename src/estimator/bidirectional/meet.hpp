@@ -1,5 +1,5 @@
 // Meetings of a ray of the laser's walk with one of a telescope's walk, which is translated
-// sideways for it, or rotated about where it converts (strategy_sums.hpp tells why).
+// sideways for it, or rotated about where it converts (strategy_sums.hpp gives the reason).
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ PHOTIC_APART T air_delay_along(const geometry::Slabs& sea, const Ray<T>& ray, co
   const auto from = sea.level(ray.layer, ray.position.z);
   return select(reflected, sea.air_delay_by_surface(ray.line, from, to, length), straight);
 }
-/// What these count as.
+/// The path of a way along a ray.
 template <class T>
 T path_along(const geometry::Slabs& sea, const Ray<T>& ray, const Index<T>& layer, const T& depth,
              const T& length) {
@@ -65,7 +65,7 @@ template <class T>
 struct DepthLine {
   T x{}, y{};  ///< at the surface's level [m]
   T x_per_depth{}, y_per_depth{};
-  T path{}, path_per_depth{};  ///< of its walk [m], at the surface's level, and how that grows
+  T path{}, path_per_depth{};  ///< of its walk [m], at the surface's level, and its growth
   T from{}, to{};              ///< the depths that it comes through [m]
   T rise{};                    ///< z of its direction
   T start{};                   ///< its walk's path where it begins [m]
@@ -122,7 +122,7 @@ Span<T> common_span(const DepthLine<T>& laser, const DepthLine<T>& back, const T
   return {Mask<T>(to > from), from, to};
 }
 
-/// Where a telescope's walk comes through the lens if it is translated to meet a ray at a depth.
+/// The line on the lens of a telescope's walk that is translated to meet a ray at a depth.
 template <class T>
 struct LensLine {
   instrument::PlanePoint<T> at_surface{};  ///< for a meeting at the surface's level
@@ -133,8 +133,8 @@ struct LensLine {
   }
 };
 
-/// Whether light reverses, between up and down, where two rays meet: else no walk is translated for
-/// it, unless it is converted there.
+/// Returns whether light reverses, between up and down, where two rays meet: else no walk is
+/// translated for it, unless it is converted there.
 template <class T>
 Mask<T> reverses(const Ray<T>& laser, const Ray<T>& back) {
   return laser.direction.z * back.direction.z > T(0);
@@ -155,7 +155,7 @@ struct Chord {
 /// A telescope's walk at its lens.
 template <class T>
 struct AtLens {
-  instrument::PlanePoint<T> lens;  ///< where it came through
+  instrument::PlanePoint<T> lens;  ///< its point on the lens
   Vec3<T> outward;                 ///< in this direction
   T index{1};                      ///< group index of what is before the lens
 };
@@ -300,8 +300,8 @@ struct Side {
   Mask<T> straight{true};  ///< the surface has not reflected it
 
   /// Density of connecting the edge along the ray, times the phase function and exp(-tau) of the
-  /// walk's coefficient. What the surface reflects can only be connected to an instrument, by its
-  /// mirror image.
+  /// walk's coefficient. Light that the surface reflects can only be connected to an instrument, by
+  /// its mirror image.
   T connecting(const geometry::Slabs& sea, const T& length,
                const estimator::Samples<T>& samples) const {
     const T area = connecting_area(sea, ray, first, spread, length, samples);

@@ -1,5 +1,5 @@
-// What is put together of two walks: pairs of vertices and rays, how rays meet, and the path that
-// they make.
+// Pairings of two walks: pairs of vertices and rays, the meetings of rays, and the paths that they
+// make.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace photic::estimator {
 
-/// What may be put together: vertex or ray i of a laser's walk and m of a telescope's.
+/// A pairing: vertex or ray i of a laser's walk and m of a telescope's.
 template <class T>
 struct Pairing {
   Index<T> laser{}, i{}, back{}, m{};
@@ -69,8 +69,8 @@ struct FreePairing : PlacedPairing<T> {
   }
 };
 
-/// How walks are moved to meet others: a telescope's translated sideways so that it still comes
-/// through the lens, or rotated beyond its pivot; or either as a free walk.
+/// The moves of walks that are to meet others: a telescope's translated sideways so that it still
+/// comes through the lens, or rotated beyond its pivot; or either as a free walk.
 enum class Moves : std::int8_t { translations, rotations, free_telescope, free_laser, all };
 inline bool includes(Moves asked, Moves one) { return asked == one || asked == Moves::all; }
 
@@ -84,7 +84,7 @@ struct RayPair {
   Index<T> rotates{};    ///< 1: it may be rotated about the vertical at ...
   T axis_x{}, axis_y{};
   RayPairing<T> pairing;
-  LensLine<T> lens;  ///< where it comes through, if it is translated
+  LensLine<T> lens;  ///< its points on the lens, if it is translated
 
   /// About which the telescope's walk may be rotated.
   [[nodiscard]] RotationAxis<T> axis() const { return {rotates == Index<T>(1), axis_x, axis_y}; }
@@ -100,7 +100,7 @@ struct RayPair {
   }
 };
 
-/// Whose walk of a path is a free one.
+/// The free walk of a path.
 enum class Free : std::int8_t { none, telescope, laser };
 
 /// The new way between a free walk's first vertex and its instrument.
@@ -121,31 +121,31 @@ struct Met {
   const Ray<T>*out = nullptr, *back = nullptr;
   Spread<T> out_spread, back_spread;
   NearFirst<T> out_near, back_near;
-  FreeArea<T> out_free, back_free;                 ///< where there are free walks
+  FreeArea<T> out_free, back_free;                 ///< if there are free walks
   const RotatedMeeting<T>* out_rotated = nullptr;  ///< at the first vertex, if not what it was
   T rest{1};  ///< by how much all other densities behind the telescope's ray grow
   T translation_area{};
   Vec3<T> out_moved{};        ///< from where the laser's walk was drawn; level
-  RotationAxis<T> axis;       ///< of the telescope's walk, where it is now
-  RotationAxis<T> own_axis;   ///< where it was drawn
+  RotationAxis<T> axis;       ///< of the telescope's walk, as it is now
+  RotationAxis<T> own_axis;   ///< as it was drawn
   bool rotates_anew = false;  ///< it may be rotated otherwise than it was drawn
   T gain{1};                  ///< of the sample
   T longer{};                 ///< so much longer is the way from a tilted lens [m]
   Index<T> line{};            ///< of the light that comes back
-  Index<T> telescope{};       ///< who sees it
+  Index<T> telescope{};       ///< the one that sees it
   // Under waves alone, and else not set, which takes time:
-  instrument::PlanePoint<T> lens;   ///< where the telescope's walk now comes through
+  instrument::PlanePoint<T> lens;   ///< the telescope's walk's point there now
   instrument::PlanePoint<T> moved;  ///< it, from where it was drawn; level
 };
 
-/// Where two rays meet.
+/// The meeting point of two rays.
 template <class T>
 struct MeetingPoint {
   T length_out{}, length_back{};  ///< of the rays [m]
   T tau{};                        ///< optical depth of both
   T reach_out{}, reach_back{};    ///< chances that walks would come along them
   Mask<T> converts{}, bed{};
-  T coefficient{};  ///< of what light does there, over c'
+  T coefficient{};  ///< of the event of light there, over c'
   T p{};            ///< its phase function's value [1/sr]
   T path{};         ///< group path of both walks [m]
 };

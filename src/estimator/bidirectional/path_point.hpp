@@ -8,7 +8,7 @@
 
 namespace photic::estimator {
 
-/// Where a walk stands.
+/// The place of a walk.
 template <class T>
 struct WalkPoint {
   Vec3<T> position;
@@ -46,8 +46,8 @@ struct Ray : WalkPoint<T> {
   T translated{};  ///< over Freedom::translations [m]; and but for |cos| of this ray
   RotatedMeeting<T> rotated{};
 
-  /// Whether it stands for a ray that the surface has reflected: then it comes from the mirror
-  /// image of the vertex.
+  /// Returns whether it stands for a ray that the surface has reflected: then it comes from the
+  /// mirror image of the vertex.
   Mask<T> is_reflected() const { return WalkPoint<T>::position.z > T(0); }
   /// z of the direction in which it left the vertex.
   T leaving_z() const {

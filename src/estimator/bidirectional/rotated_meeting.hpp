@@ -19,9 +19,9 @@ struct RotationAxis {
   }
 };
 
-/// Whether a telescope's walk that arrives at a vertex and leaves it in directions may be rotated
-/// about the vertical through it. Where it arrives along the vertical and leaves aside, the
-/// rotation hardly changes the scattering angle. Both directions' angles to the vertical tell. No
+/// Returns whether a telescope's walk that arrives at a vertex and leaves it in directions may be
+/// rotated about the vertical through it. Where it arrives along the vertical and leaves aside, the
+/// rotation hardly changes the scattering angle. Both directions' angles to the vertical decide. No
 /// rotation changes these.
 template <class T>
 Mask<T> leads_aside(const Vec3<T>& arriving, const Vec3<T>& leaving) {
@@ -35,7 +35,7 @@ Mask<T> leads_aside(const Vec3<T>& arriving, const Vec3<T>& leaving) {
 /// squares of both lengths. It stays when both rays are rotated about the axis.
 template <class T>
 struct RotationJacobian {
-  T x{}, y{};              ///< where they meet [m]
+  T x{}, y{};              ///< of their meeting [m]
   T cross_x{}, cross_y{};  ///< w x w', horizontal components
 
   template <class F>

@@ -41,7 +41,7 @@
 
 namespace photic::estimator {
 
-/// Which strategies can be used for a path of `order` vertices by walks of at most `most`.
+/// The strategies that can be used for a path of `order` vertices by walks of at most `most`.
 template <class T>
 struct Usable {
   Index<T> order, most;
@@ -57,9 +57,9 @@ struct Usable {
   }
 };
 
-/// How far whole walks may be moved sideways so that rays meet at a vertex of a path: how many do
-/// per metre of depth, times an area [m]. At the first vertex the laser's walk cannot, at the last
-/// the telescope's: there they are connected to their instruments anew.
+/// The freedom of whole walks to be moved sideways so that rays meet at a vertex of a path: the
+/// number of such meetings per metre of depth, times an area [m]. At the first vertex the laser's
+/// walk cannot, at the last the telescope's: there they are connected to their instruments anew.
 template <class T>
 struct PathFreedom {
   T inner{}, at_first{}, at_last{};
@@ -89,7 +89,7 @@ struct Densities {
   }
 };
 
-/// What balance() takes of one end of a connection.
+/// The input of balance() from one end of a connection.
 template <class T>
 struct EndDensities {
   T p{1};             ///< phase function there [1/sr]
@@ -97,10 +97,10 @@ struct EndDensities {
   T behind{};         ///< sum of the densities of all strategies behind it
 };
 
-/// What a connection scores by the balance heuristic, over the weights of its ends: the edge's
-/// exp(-tau) over the sum of the densities of all strategies that can be used for its path
-/// (eq. 42). `reach`: chance that a walk would come along the edge. `area`: density of connecting
-/// this edge, and of meeting at its ends, times both phase functions and `reach`.
+/// A connection's score by the balance heuristic, over the weights of its ends: the edge's
+/// exp(-tau) over the sum of the densities of all strategies that can be used for its path (eq.
+/// 42). `reach`: chance that a walk would come along the edge. `area`: density of connecting this
+/// edge, and of meeting at its ends, times both phase functions and `reach`.
 template <class T>
 T balance(const T& area, const T& tau, const T& reach, const EndDensities<T>& a,
           const EndDensities<T>& b) {

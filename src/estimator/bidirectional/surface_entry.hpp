@@ -1,10 +1,10 @@
-// How walks come into the water through waves (docs/theory.md, "Walks through waves"). An
+// The ways of walks into the water through waves (docs/theory.md, "Walks through waves"). An
 // instrument's ray leads to a point of the surface. From there a walk goes on in a direction of a
 // cone about that ray or, if walks may be free, about its instrument's axis, whatever the ray; its
-// weight takes how much light the facets and whitecaps of the point send so. What goes by way of
-// several facets has walks of its own. Waves of one direction send a ray in none that is given:
-// there all walks draw their facets. So do walks of instruments in the water that begin with what
-// facets send back.
+// weight takes the share of light that the facets and whitecaps of the point send so. Light by way
+// of several facets has walks of its own. Waves of one direction send a ray in none that is given:
+// there all walks draw their facets. So do walks of instruments in the water that begin with light
+// sent back by facets.
 #pragma once
 
 #include "core/flatten.hpp"
@@ -26,7 +26,7 @@
 
 namespace photic::estimator {
 
-/// Whether an instrument's rays come into the water through waves.
+/// Returns whether an instrument's rays come into the water through waves.
 template <class T>
 bool enters_through_waves(const World<T>& world, const geometry::Region<T>& region) {
   return world.sea.waves.rough && region.in_air;
@@ -96,8 +96,8 @@ SurfaceEntry<T> entry_of_telescope(const instrument::Telescope<T>& telescope,
   return entry;
 }
 
-/// What leads from a point in the water to an instrument, or to its `lens`, near the way by a level
-/// surface.
+/// The slopes that lead from a point in the water to an instrument, or to its `lens`, near the way
+/// by a level surface.
 template <class T>
 transport::NearLevel<T> level_to(const World<T>& world, std::int32_t instrument,
                                  const Index<T>& line, const Vec3<T>& from,
@@ -109,7 +109,7 @@ transport::NearLevel<T> level_to(const World<T>& world, std::int32_t instrument,
   return transport::near_level(world.sea, from, line, in_space(world.telescopes[number], lens),
                                world.telescope_region[number], wanted);
 }
-/// Of an instrument, at a point of the surface.
+/// The entry of an instrument's walk at a point of the surface.
 template <class T>
 SurfaceEntry<T> entry_at(const World<T>& world, std::int32_t instrument, const Vec3<T>& at,
                          const instrument::PlanePoint<T>& lens, T& density) {
@@ -130,7 +130,7 @@ SurfaceEntry<T> behind_air(const geometry::Region<T>& region, const Index<T>& li
   entry.path = entry.path + region.delay(line, cosine);
   return entry;
 }
-/// How densely entries are drawn by slopes, over how densely by an instrument's own rays.
+/// The density of entries drawn by slopes, over that by an instrument's own rays.
 template <class T>
 T slopes_over_rays(const World<T>& world, std::int32_t instrument, const Index<T>& line,
                    const Vec3<T>& from, const SurfaceEntry<T>& entry,
@@ -230,7 +230,7 @@ geometry::Sightline<T> sightline_along(const EntryEdge<T>& edge, const geometry:
   return way;
 }
 
-/// How light meets the surface that goes along such a way, or would if it went back.
+/// The meeting with the surface of light that goes along such a way, or would if it went back.
 template <class T>
 surface::Meeting<T> meeting_along(const medium::MediumView& sea, const Index<T>& line,
                                   const geometry::Sightline<T>& way) {
@@ -244,7 +244,7 @@ surface::Meeting<T> meeting_along(const medium::MediumView& sea, const Index<T>&
 inline constexpr double min_passing = 1e-12;
 
 /// A walk that begins at an entry, by two uniforms; draw(block) draws more, and met(mask, meeting)
-/// is told how it meets the surface.
+/// is called for its meeting with the surface.
 template <class T, class Draw, class Met>
 Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Region<T>& region,
                              const EntryCone<T>& cone, const SurfaceEntry<T>& entry,
@@ -318,9 +318,9 @@ template <class T>
 struct NotSentDown {
   T weight{}, into_film{};  ///< `into_film`: of that, what a film of oil absorbs
 };
-/// Of walks that an instrument in the water begins, those that `u_class` chooses, a uniform, begin
-/// at the surface instead: they have come there without colliding, and facets send them down again.
-/// Returns what facets do not send down; flown(mask, passage) is told of the way up.
+/// Has the walks of an instrument in the water that `u_class`, a uniform, chooses begin at the
+/// surface instead: they have come there without colliding, and facets send them down again.
+/// Returns the weight that facets do not send down; flown(mask, passage) is called for the way up.
 template <class T, class Draw, class Met, class Flown>
 NotSentDown<T> begin_at_facets(const medium::MediumView& sea, const EntryCone<T>& cone,
                                const T& u_class, bool from_telescope, Birth<T>& birth, Draw draw,

@@ -1,4 +1,4 @@
-// What a walk notes of a vertex where it collides, and of the ray in which it goes on.
+// A walk's notes on a vertex where it collides, and on the ray in which it goes on.
 #pragma once
 
 #include "core/constants.hpp"
@@ -37,7 +37,7 @@ RotatedMeeting<T> rotation_at(const Vertex<T>& v, const Vec3<T>& direction) {
   return {v.rotated, rotation_jacobian(v.position, v.direction, direction)};
 }
 
-/// How a walk left a vertex.
+/// The departure of a walk from a vertex.
 template <class T>
 struct Departure {
   T p{1};               ///< phase function's value [1/sr]
@@ -99,14 +99,14 @@ T connecting_area(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>& 
   return select(first, from_instrument, area);
 }
 
-/// How facets of waves have sent back a walk that came up to them on its leg.
+/// Facets of waves that have sent back a walk that came up to them on its leg.
 template <class T>
 struct SentBack {
-  T chance{1}, reverse_chance{1};  ///< that walks choose so, as of a Vertex
+  T chance{1}, reverse_chance{1};  ///< that walks choose them, as of a Vertex
   T walk_tau{};                    ///< of the leg up to there
 };
 
-/// How a walk came to a vertex where it collides.
+/// The arrival of a walk at a vertex where it collides.
 template <class T>
 struct Arrival {
   Ray<T> ray;                           ///< by this one
@@ -126,9 +126,9 @@ T reach_of(const geometry::Slabs& sea, const EntryCone<T>& cone, const Mask<T>& 
                     sea.bed_angles > 0 ? surface::on_bed<T>(sea, photon.layer) : Mask<T>(false));
 }
 
-/// Comes to a vertex by facets. Nothing is connected by them: every strategy draws how they are
-/// met. So one whose walks meet at an end of the leg leaves out only what lies on this side of
-/// them.
+/// Takes a walk to a vertex by facets. Nothing is connected by them: every strategy draws its
+/// meeting with them. So one whose walks meet at an end of the leg leaves out only the part on this
+/// side of them.
 template <class T>
 void pass_facets(const Arrival<T>& by, Vertex<T>& v) {
   v.rotated = select(by.rotates, v.rotated, T(0));
@@ -146,7 +146,7 @@ void pass_facets(const Arrival<T>& by, Vertex<T>& v) {
   v.added_rotated.density = v.added_rotated.density * before;
 }
 
-/// What a ray that goes up becomes where facets send it back.
+/// The ray behind facets that send back one that goes up.
 template <class T>
 Ray<T> behind_facets(const Ray<T>& ray, const transport::Photon<T>& photon,
                      const SentBack<T>& facets) {
@@ -154,7 +154,8 @@ Ray<T> behind_facets(const Ray<T>& ray, const transport::Photon<T>& photon,
   static_cast<WalkPoint<T>&>(behind) = walk_point(photon);
   behind.chance = ray.chance * facets.chance;
   behind.reverse_chance = ray.reverse_chance * facets.reverse_chance;
-  // Of meeting where the ray up begins: but for the cosine there, not for that of the ray behind.
+  // The density of meeting where the ray up begins: without the cosine there, not that of the ray
+  // behind.
   const T grows = facets.reverse_chance * exp_minus(T(0) - facets.walk_tau);
   behind.translated =
       if_reversed(ray.translated, ray.direction.z) * grows / (T(0) - photon.direction.z);

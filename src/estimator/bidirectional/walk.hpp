@@ -68,11 +68,11 @@ class Walks {
     if (!facets_.empty()) scatter(mask, walk, record.facets, facets_.data());
     add(mask, walk, Index<T>(0), first);
   }
-  /// Those of a mask come through waves.
+  /// Notes that the walks of a mask come through waves.
   void enter(const Mask<T>& mask, const Index<T>& walk, const SurfaceEntry<T>& entry) {
     entry_.put(mask, walk, entry);
   }
-  /// Those of a mask do not set out.
+  /// Notes that the walks of a mask do not set out.
   void leave_out(const Mask<T>& mask, const Index<T>& walk) {
     scatter(mask, walk, Index<T>(0), rays_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
@@ -104,8 +104,9 @@ class Walks {
     const Index<T> first = gather_index<T>(first_on_bed_.data(), walk);
     scatter(mask & (i < first), walk, i, first_on_bed_.data());
   }
-  /// Telescopes' walks leave vertex i by a ray: what they keep to be rotated about it, if they
-  /// may be. `of_elastic_light`: also where they scatter the laser's light first. Tells who may.
+  /// Notes all that telescopes' walks, which leave vertex i by a ray, need to be rotated about it,
+  /// if they may be. `of_elastic_light`: also where they scatter the laser's light first. Returns
+  /// which may.
   Mask<T> pivot(const medium::MediumView& sea, const Mask<T>& mask, const Index<T>& walk,
                 const Index<T>& i, const Vertex& vertex, const Ray& ray, bool of_elastic_light) {
     const Mask<T> first = i == Index<T>(0);
@@ -123,11 +124,11 @@ class Walks {
     return pivots;
   }
 
-  /// Of the weights with which walks leave by their rays, in environments: beyond the second ray
-  /// without what lies before that, which a free walk has anew.
+  /// The ratios of the weights with which walks leave by their rays, in environments: beyond the
+  /// second ray without the part before it, which a free walk has anew.
   [[nodiscard]] PathRatios<T>& ratios() { return ratios_; }
-  /// What the surface did to walks on their ways from vertices, or the instrument, to the next; and
-  /// the air between the instrument and the surface.
+  /// The ratios by the surface on the walks' ways from vertices, or the instrument, to the next;
+  /// and the air between the instrument and the surface.
   [[nodiscard]] PathRatios<T>& at_surface() { return at_surface_; }
   /// Product and depth of a walk up to where ray m leaves a vertex, or comes into the water, for
   /// environments from `first` on; `whole_leg`: and of what the surface does to it from there on.
@@ -147,7 +148,7 @@ class Walks {
     if (!meets) return of_walk();
     return joined(environments, first, of_walk(), at_surface_.at(slot(m), first));
   }
-  /// Where ray or vertex i of a walk is kept.
+  /// The slot of ray or vertex i of a walk.
   static Index<T> slot(const Index<T>& walk, const Index<T>& i) {
     return walk * Index<T>(stride) + i;
   }
@@ -159,23 +160,23 @@ class Walks {
   [[nodiscard]] bool from_telescope() const { return from_telescope_; }
   [[nodiscard]] bool through_surface() const { return through_surface_; }
 
-  // Of one walk.
+  // Values of one walk.
   [[nodiscard]] std::int32_t rays(std::size_t walk) const { return rays_[walk]; }
   [[nodiscard]] std::int32_t vertices(std::size_t walk) const { return vertices_[walk]; }
   /// The vertex about which a telescope's walk may be rotated, or -1.
   [[nodiscard]] std::int32_t pivot_vertex(std::size_t walk) const { return pivot_vertex_[walk]; }
   [[nodiscard]] bool connected(std::size_t walk) const { return connected_[walk] != 0; }
-  /// Whether its ray is one of its instrument's own.
+  /// Returns whether its ray is one of its instrument's own.
   [[nodiscard]] bool is_own(std::size_t walk) const { return own_[walk] != 0; }
 
-  // Of one walk, in all lanes.
+  // Values of one walk, in all lanes.
   [[nodiscard]] BirthRecord<T> birth_record_in_all_lanes(std::size_t walk) const {
     return record_.in_all_lanes(walk);
   }
   [[nodiscard]] Ray ray_in_all_lanes(std::size_t walk, std::int32_t m) const {
     return ray_.in_all_lanes(walk * stride + static_cast<std::size_t>(m));
   }
-  /// Whether facets have sent ray m back, and that ray behind them.
+  /// Returns whether facets have sent ray m back, and that ray behind them.
   [[nodiscard]] bool is_sent_back(std::size_t walk, std::int32_t m) const {
     return sent_back_[walk * stride + static_cast<std::size_t>(m)] != 0;
   }
@@ -186,7 +187,7 @@ class Walks {
     return vertex_.in_all_lanes(walk * stride + static_cast<std::size_t>(i));
   }
 
-  // Of one walk in each lane.
+  // Values of one walk in each lane.
   [[nodiscard]] BirthRecord<T> birth_record(const Index<T>& walk) const {
     BirthRecord<T> record = record_.at(walk);
     record.spread.through_surface = through_surface_;
@@ -196,7 +197,7 @@ class Walks {
   [[nodiscard]] Index<T> facets(const Index<T>& walk) const {
     return facets_.empty() ? Index<T>(0) : gather_index<T>(facets_.data(), walk);
   }
-  /// Where it comes through waves.
+  /// Its entry through waves.
   [[nodiscard]] SurfaceEntry<T> entry(const Index<T>& walk) const { return entry_.at(walk); }
   [[nodiscard]] Ray ray(const Index<T>& walk, const Index<T>& m) const {
     return ray_.at(slot(walk, m));
@@ -207,8 +208,8 @@ class Walks {
   [[nodiscard]] Ray behind_facets(const Index<T>& walk, const Index<T>& m) const {
     return behind_facets_.at(slot(walk, m));
   }
-  /// Whether a telescope's walk beyond its pivot can be rotated as far as where ray m ends, if it
-  /// has come there, and be the same light: facets that have sent it back see it turned.
+  /// Returns whether a telescope's walk beyond its pivot can be rotated as far as where ray m ends,
+  /// if it has come there, and be the same light: facets that have sent it back see it turned.
   [[nodiscard]] Mask<T> rotates(const Index<T>& walk, const Index<T>& m) const {
     if (facets_beyond_.empty()) return Mask<T>(true);
     return m < gather_index<T>(facets_beyond_.data(), walk);
@@ -227,7 +228,7 @@ class Walks {
   [[nodiscard]] Index<T> line(const Index<T>& walk) const {
     return gather_index<T>(line_.data(), walk);
   }
-  /// What so many of its vertices touch: a transport::Touched.
+  /// The places that so many of its vertices touch: a transport::Touched.
   [[nodiscard]] Index<T> touched(const Index<T>& walk, const Index<T>& vertices) const {
     if (first_on_bed_.empty()) return Index<T>(0);
     const Index<T> bed(static_cast<std::int32_t>(transport::Touched::bed));
@@ -242,14 +243,14 @@ class Walks {
     const Pivot<T> at = pivot(walk);
     return {exists, at.x, at.y};
   }
-  // Of its first vertex.
+  // Values at its first vertex.
   [[nodiscard]] NearFirst<T> near_first(const Index<T>& walk) const { return near_first_.at(walk); }
   [[nodiscard]] FreeArea<T> free_area(const Index<T>& walk) const { return free_area_.at(walk); }
-  /// Of a laser's walk.
+  /// The first rotated meeting of a laser's walk.
   [[nodiscard]] RotatedMeeting<T> rotated_first(const Index<T>& walk) const {
     return rotated_first_.at(walk);
   }
-  /// Which of its densities lie behind ray m, or behind vertex i.
+  /// Its densities that lie behind ray m, or behind vertex i.
   [[nodiscard]] Complete<T> complete_behind_ray(const Index<T>& m, const Usable<T>& usable) const {
     return {m > Index<T>(0), m > Index<T>(1), m > Index<T>(1), from_telescope_, usable};
   }
@@ -290,8 +291,8 @@ class Walks {
   /// Ray m as one side of a meeting, in a path whose walks may be moved so. `spread`: of the walk's
   /// first ray; `first`: near the walk's first vertex, as it is in the path; `rest`: by how much
   /// all other densities grow by that; `axis`: in the places of this walk; `rotates_anew`: it is
-  /// not that of a telescope's walk as it was drawn; `rotated_first`: of a laser's, if that is not
-  /// what it was.
+  /// not that of a telescope's walk as it was drawn; `rotated_first`: of a laser's, if that has
+  /// changed.
   [[nodiscard]] Side<T> side(const Ray& ray, const Spread<T>& spread, const Index<T>& walk,
                              const Index<T>& m, const Usable<T>& usable,
                              const PathFreedom<T>& freedom, const RotationAxis<T>& axis,
@@ -340,8 +341,8 @@ class Walks {
     sum.edges = sum.edges + select(connecting & (m > Index<T>(2)), ray.last_edge, T(0));
     return select(whole, ray.behind, sum);
   }
-  /// Of a laser's walk, the densities of rotating a telescope's to meet it at a vertex before
-  /// vertex i, over reverse_chance.
+  /// The densities of rotating a telescope's walk to meet a laser's at a vertex before vertex i,
+  /// over reverse_chance.
   [[nodiscard]] T rotated_behind(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
                                  const RotationAxis<T>& axis,
                                  const RotatedMeeting<T>* anew = nullptr) const {
@@ -356,7 +357,7 @@ class Walks {
     if (from_telescope_ || !facets_have_sides_) return sum;
     return select(mask & is_sent_back(walk, select(mask, k, Index<T>(0))), T(0), sum);
   }
-  /// Which vertex of the path ray m leaves, counted from the laser.
+  /// The vertex of the path that ray m leaves, counted from the laser.
   [[nodiscard]] Index<T> number_in_path(const Index<T>& m, const Usable<T>& usable) const {
     return from_telescope_ ? usable.order + Index<T>(1) - m : m;
   }
@@ -365,14 +366,14 @@ class Walks {
     const Index<T> x = number_in_path(m, usable);
     const Mask<T> connecting = mask & usable.connecting(x - Index<T>(from_telescope_ ? 0 : 1));
     const Mask<T> meeting = mask & usable.meeting(x);
-    // Those of the first vertex are told apart.
+    // The densities at the first vertex are kept apart.
     sum.edges = sum.edges + select(connecting & (m > Index<T>(2)), v.added.edges, T(0));
     sum.translated = sum.translated + select(meeting & (m > Index<T>(1)), v.added.translated, T(0));
     sum.rotated = sum.rotated + select(meeting, v.added.rotated, T(0));
   }
 
   bool from_telescope_, through_surface_;
-  bool facets_have_sides_;  ///< what they do to light changes if that is rotated
+  bool facets_have_sides_;  ///< their effect on light changes if that is rotated
   lanes::Records<T, BirthRecord<T>> record_;
   lanes::Records<T, Ray> ray_;
   lanes::Records<T, Vertex> vertex_;

@@ -1,4 +1,4 @@
-// What is kept of a walk as a whole: how it began, and where it may be rotated.
+// Records of a walk as a whole: its birth, and the axis about which it may be rotated.
 #pragma once
 
 #include "estimator/bidirectional/birth.hpp"
@@ -9,14 +9,14 @@
 
 namespace photic::estimator {
 
-/// Where a walk left its instrument; the lens, outwards and what follows of a telescope's walk.
+/// The birth of a walk at its instrument; the lens, outwards and the rest for a telescope's walk.
 template <class T>
 struct BirthRecord {
   Spread<T> spread;
   instrument::PlanePoint<T> lens{};
   Vec3<T> outward{};
   T translation_area{};   ///< [m^2]
-  T grid_offset{};        ///< of the depths where it meets others, 0 to 1 of a step
+  T grid_offset{};        ///< of the depths of its meetings, 0 to 1 of a step
   Index<T> connected{1};  ///< with the vertices of a laser's walk: 1 or 0
   Mask<T> own{true};      ///< its ray is one of its instrument's own: not all rays of cones are
   Index<T> telescope{};   ///< the narrowest of nested views that sees its ray

@@ -1,5 +1,5 @@
-// What the bidirectional estimator's walks make of the steps of an event (estimator/event.hpp):
-// they note where they collide and how they go on, for the connections.
+// The steps of an event (estimator/event.hpp) of the bidirectional estimator's walks: they note
+// their collisions and their ways on, for the connections.
 #pragma once
 
 #include <array>
@@ -20,9 +20,9 @@ namespace photic::estimator {
 /// A walk that has begun, and what it has done since.
 template <class T>
 struct Walker : Track<T> {
-  Index<T> walk{};  ///< where it is kept
+  Index<T> walk{};  ///< its number among those kept
 
-  /// What a walk is born with.
+  /// The members that a walk is born with.
   template <class F>
   constexpr void each_member(F f) {
     this->photon.each_member(f), f(walk);
@@ -50,8 +50,9 @@ PHOTIC_APART PHOTIC_FLATTEN void meet_surface(const geometry::Slabs& sea, Walks<
   });
 }
 
-/// Of walks from one instrument. A Source tells how they begin, what they draw, and whether light
-/// from where a photon stands can still count; its ledger takes what ends.
+/// The steps of walks from one instrument. A Source has their beginning and their draws, and
+/// decides whether light from a photon's place can still count; its ledger takes the weight that
+/// ends.
 template <class T, class Source>
 class WalkSteps {
  public:
@@ -167,8 +168,8 @@ class WalkSteps {
         slopes_over_rays(world, instrument, line, position, walks.entry(walk), record.lens, first),
         record.spread);
   }
-  /// Those who stand at the surface meet facets until they go down in the water, or have left. Who
-  /// comes there straight from an instrument ends: others begin with what facets send back.
+  /// Has walks at the surface meet facets until they go down in the water, or have left. Walks
+  /// straight from an instrument end: others begin with light sent back by facets.
   PHOTIC_APART static Walker<T> cross_waves(const geometry::Slabs& sea, Source& source,
                                             Walks<T>& walks, Walker<T> w) {
     const bool back = walks.from_telescope();
@@ -221,7 +222,7 @@ class WalkSteps {
     book(ledger.absorbed, in_water, w.photon.weight - photon.weight);
     w.photon = any(w.on & !colliding) ? select(colliding, photon, w.photon) : photon;
     const Ray<T> ray = next_ray(sea_, photon, vertex_, departure,
-                                w.vertices > Index<T>(2));  // of those with the one that is left
+                                w.vertices > Index<T>(2));  // of edges with the one that is left
     walks_.add(colliding, w.walk, w.vertices, ray);
     const Mask<T> near = colliding & (w.vertices < Index<T>(3));
     if (any(near)) {
@@ -281,7 +282,7 @@ class WalkSteps {
   const Samples<T>& samples_;
   Source& source_;
   Walks<T>& walks_;
-  // Of the event:
+  // For the event:
   std::array<T, 4> u_{};
   Vertex<T> vertex_;
 };

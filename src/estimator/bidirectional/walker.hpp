@@ -64,7 +64,7 @@ class WalkTracer {
     walker.photon = birth.photon;
     record.spread = birth.spread;
     record.facets = birth.facets;
-    // Who does not set out still has a point of the lens.
+    // Walks that do not set out still have a point of the lens.
     const Mask<T> left_out = exist & source_.left_out(birth);
     walks_.birth(born | left_out, walker.walk, record, {walk_point(birth.photon)});
     walks_.leave_out(left_out, walker.walk);
@@ -74,7 +74,7 @@ class WalkTracer {
     waiting_ = count(born);
     taken_ = 0;
   }
-  /// Gives free lanes to those who wait. Tells which it gave.
+  /// Gives free lanes to walks that wait. Returns the lanes given.
   Mask<T> take_from_queue(const Mask<T>& free) {
     std::uint32_t given = 0;
     std::size_t n = 0;
@@ -102,13 +102,13 @@ class WalkTracer {
         walks_.at_surface().of(slot).begin(world_.sea.environments);
     });
   }
-  /// Those of a mask have gone a way before their first ray begins.
+  /// Notes that walks of a mask have gone a way before their first ray begins.
   PHOTIC_APART void pass_ratios(Index<T> walk, const Mask<T>& mask, Passage<T> way) {
     Terms<T> ways;
     add_passage(world_.sea, way, ways);
     pass_ratios(walks_.ratios(), walk, mask, ways);
   }
-  /// Those of a mask have come from their instrument to the surface.
+  /// Notes that walks of a mask have come from their instrument to the surface.
   PHOTIC_APART void come_down_ratios(Index<T> walk, const Mask<T>& mask, const Birth<T>& birth) {
     const auto& region = world_.region(source_.instrument());
     if (!region.in_air || !world_.sea.environments.other_air) return;
@@ -132,7 +132,7 @@ class WalkTracer {
   tally::BatchTally& tally_;
   Walker<T> walker_;
 
-  /// Of those who have begun without a lane; readable for as many more.
+  /// Walks that have begun without a lane; readable for as many more.
   lanes::LaneColumns<T, Walker<T>, 2 * lanes> waiting_columns_;
   std::size_t waiting_ = 0, taken_ = 0;
 };

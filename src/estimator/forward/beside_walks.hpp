@@ -27,7 +27,7 @@ class FilmBesideWalks {
   explicit FilmBesideWalks(const Model& walks)
       : model_(by_histories(walks)), world_(make_world<T>(model_)) {
     world_.scored = Scored::film;
-    // What the water converts is left to the walks.
+    // Light that the water converts is left to the walks.
     world_.conversion = T(0);
     world_.views.clear();
     world_.cones.clear();

@@ -14,12 +14,12 @@ namespace photic::estimator {
 
 template <class T>
 struct Escape {
-  Mask<T> surface;  ///< where it leads: through the surface, or else onto the black sea bed
+  Mask<T> surface;  ///< the way out: through the surface, or else onto the black sea bed
   T probability{};  ///< by the coefficient that free paths are drawn from
-  T weight{};       ///< that leaves
+  T weight{};       ///< of the light that leaves
 };
 
-/// Of a photon in the water on its next flight. What the surface reflects stays.
+/// The escape of a photon in the water on its next flight. Light that the surface reflects stays.
 template <class T>
 Escape<T> escape(const geometry::Slabs& sea, const transport::Photon<T>& photon) {
   using std::abs;

@@ -18,7 +18,7 @@
 
 namespace photic::estimator {
 
-/// What differs between the sources of a scene's scores at all.
+/// The properties in which sources of a scene's scores differ at all.
 struct SourcesDiffer {
   bool lines = true, layers = true, points = true, touched = true, surface = true;
 
@@ -80,7 +80,7 @@ struct SourcesOf {
   }
 };
 
-/// What a process makes of a collision: its share, and its phase function.
+/// The part of a process in a collision: its share, and its phase function.
 template <class T>
 struct Emission {
   T share;
@@ -98,7 +98,7 @@ Emission<T> emission(const medium::MediumView& sea, const Sources<T>& from) {
           select(same, scattered.phase, gather_index<T>(sea.conversion_phase, from.line))};
 }
 
-/// What local estimates need besides the photons: a pool's, or one photon's.
+/// The needs of local estimates besides the photons: a pool's, or one photon's.
 template <class T>
 struct Estimates {
   explicit Estimates(const World<T>& world)
@@ -112,7 +112,7 @@ struct Estimates {
   std::vector<lanes::Queue<T, Sources<T>>> waiting;  ///< of each group of telescopes
   std::vector<lanes::ScoreQueue<T>> scores;          ///< in each group
 
-  // Of the light that is scored, in environments.
+  // Ratios of the light that is scored, in environments.
   PathRatios<T>* paths = nullptr;
   std::size_t first = 0;  ///< path of the first lane
   Terms<T> unflown;       ///< of ways that the photons have not gone, but the light has
@@ -129,7 +129,7 @@ lanes::LaneScores<T> scores_of(const World<T>& world, const ViewGroup<T>& group,
           group.path_to_origin,
           transport::light_of<T>(world.sea, from.line, from.touched),
           from.photon.order + Index<T>(1),
-          transport::depth_told(world.sea, T(-from.photon.position.z)),
+          transport::signed_depth(world.sea, T(-from.photon.position.z)),
           from.photon.path + path_back,
           value};
 }
@@ -173,7 +173,7 @@ void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sourc
                 {from.line, group.region.layer, way.onward.depth(), top, T(0), way.onward.length},
                 ways);
 }
-/// What waves that lead them on make of paths in environments.
+/// The effect on paths in environments of waves that lead them on.
 template <class T>
 void complete_surface(const World<T>&, const transport::Connection<T>&, Completion<T>&) {}
 template <class T>
@@ -252,8 +252,8 @@ PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_
   score_in<PlainEvents>(world, g, from, mask, tally, estimates);
 }
 
-/// Scores light of a line, and so much of photons' weight, from the collisions of a mask, of those
-/// who travel, in all telescopes that may see it; it waits for company, but for light that has
+/// Scores light of a line, and so much of photons' weight, from the collisions of a mask of
+/// travellers, in all telescopes that may see it; it waits for company, but for light that has
 /// ratios.
 template <class Events, class T>
 void score_light(const World<T>& world, const Travellers<T>& of, const transport::Photon<T>& photon,
@@ -297,13 +297,13 @@ void flush_queues(const World<T>& world, Estimates<T>& estimates, tally::BatchTa
   }
 }
 
-/// Of a photon's weight, what collides at one of the points of a flight that are scored.
+/// The part of a photon's weight that collides at one of the points of a flight that are scored.
 template <class T>
 T weight_at_point(const World<T>& world, const transport::Photon<T>& photon) {
   return photon.weight * T(1.0 / world.scored_points);
 }
 
-/// Of photons of a mask, whose light a world's histories score.
+/// The photons of a mask whose light a world's histories score.
 template <class T>
 Mask<T> who_are_scored(const World<T>& world, const Travellers<T>& t, const Mask<T>& mask) {
   switch (world.scored) {

@@ -1,5 +1,5 @@
-// What telescopes expect of a photon's next collision before it flies: of further points of its
-// free paths, and of conversions in the telescopes' views. Its history is not changed by it.
+// The expected scores of a photon's next collision before it flies: at further points of its free
+// paths, and of conversions in the telescopes' views. Its history stays the same.
 #pragma once
 
 #include "estimator/forward/estimate.hpp"

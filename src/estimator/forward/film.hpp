@@ -1,5 +1,5 @@
-// What a film of oil emits: telescopes are told of it whenever light of the laser's line comes to
-// the film, and some photons go on as light that it sends down into the water.
+// The light that a film of oil emits: telescopes score it whenever light of the laser's line comes
+// to the film, and some photons go on as light that it sends down into the water.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace photic::estimator {
 
-/// The chance that a photon goes on as light that the film emits downwards. What that adds to an
-/// echo of the film is a few per cent, but all of the film's light in deeper gates.
+/// The chance that a photon goes on as light that the film emits downwards. Such photons add a few
+/// per cent to an echo of the film, but all of the film's light in deeper gates.
 inline constexpr double film_conversion = 0.1;
 
 /// Photons of a mask that come to a film; `met`: how often such a film is met over how often it is
@@ -67,8 +67,8 @@ T emitted_weight(const World<T>& world, const transport::Photon<T>& photon, cons
          surface::emitted_by_film(world.sea, film.at, line, direction, up) / lambert;
 }
 
-/// Telescopes are told, and chance sends photons down into the water as emitted light. Tells which;
-/// the weight of the others makes up for them.
+/// Scores the emitted light, and sends photons down into the water as such light, by chance.
+/// Returns which; the weight of the others makes up for them.
 template <class Events, class T, class Ledger>
 PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, Travellers<T>& t,
                                   const ComeToFilm<T>& film, std::uint32_t number,
@@ -107,8 +107,8 @@ PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, Travellers<T>& t,
   return converted;
 }
 
-/// Photons of a mask who stand at a flat film, above it or below: some go on as light that it
-/// emits, the others cross it or are reflected, but for what is absorbed.
+/// Has photons of a mask that stand at a flat film, above it or below, go on: some as light that it
+/// emits; the others cross it or are reflected, but for the light absorbed.
 template <class Events, class T, class Ledger>
 PHOTIC_APART void cross_flat_film(const World<T>& world, Travellers<T>& t, const Mask<T>& stand,
                                   bool in_air, Estimates<T>& estimates, tally::BatchTally& tally,

@@ -56,8 +56,8 @@ struct Passed {
   PathRatios<T> ratios;  ///< of each, in environments
 };
 
-/// Who leaves a world's medium by passing the surface waits among the others, to draw random
-/// numbers of its own.
+/// Has photons that leave a world's medium through the surface wait among the others, to draw
+/// random numbers of their own.
 template <class T>
 Leave<T> wait_to_pass(const World<T>& world, Passed<T>& passed) {
   return [&](const Travellers<T>& gone, std::int32_t copy) {
@@ -72,8 +72,8 @@ Leave<T> wait_to_pass(const World<T>& world, Passed<T>& passed) {
 
 /// Follows a photon from the beginning of a flight until it is absorbed, escapes or comes too late,
 /// and scores its echoes; then all its copies, which wait for each other. `first`: the steps of the
-/// first flight, `steps`: those of all others. `witness` is told of them at the end of each event.
-/// Flattened: what is called stays in registers, a tenth of the time.
+/// first flight, `steps`: those of all others. `witness` is called for them at the end of each
+/// event. Flattened: all that it calls stays in registers, which saves a tenth of the time.
 template <class Events, class T, class Steps, class Witness>
 PHOTIC_APART PHOTIC_FLATTEN void follow(const World<T>& world, Travellers<T>& photon,
                                         std::vector<Travellers<T>>& waiting, Steps& first,
@@ -126,7 +126,7 @@ void follow(const World<T>& world, std::uint64_t first, std::uint64_t count, Pas
     if (photon.on) follow<Events>(world, photon, waiting, first_flight, steps, witness);
   }
 }
-/// Those who have come from the other medium.
+/// Follows the photons that have come from the other medium.
 template <class Events, class T, class Witness>
 void follow(const World<T>& world, Passed<T>& arrivals, Passed<T>& passed, tally::BatchTally& tally,
             Witness& witness) {

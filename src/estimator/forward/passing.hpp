@@ -1,4 +1,4 @@
-// What of the light that passes the surface histories follow into the other medium.
+// The part of the light passing the surface that histories follow into the other medium.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ namespace photic::estimator {
 template <class T>
 using Leave = std::function<void(Travellers<T>& gone, std::int32_t copy)>;
 
-/// Calls `leave` for those of a mask whose light goes on in the other medium, in a direction and
-/// with a weight. Who has not been scattered yet is left out: what of the laser's light comes
-/// straight through the air sets out in the water by itself. `meeting`: of the event.
+/// Calls `leave` for the photons of a mask whose light goes on in the other medium, in a direction
+/// and with a weight. Photons not scattered yet are left out: laser light straight through the air
+/// sets out in the water by itself. `meeting`: of the event.
 template <class T>
 void pass_surface(const World<T>& world, const Travellers<T>& t, const Mask<T>& mask,
                   const Vec3<T>& direction, const T& weight, std::uint32_t meeting,

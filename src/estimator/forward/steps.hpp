@@ -1,5 +1,5 @@
-// What the forward estimator makes of the steps of an event (estimator/event.hpp): expected values
-// stand in for what is not drawn, and telescopes are told of each collision.
+// The forward estimator's steps of an event (estimator/event.hpp): expected values stand in for
+// draws, and telescopes score each collision.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@
 
 namespace photic::estimator {
 
-/// Of photons by Events: PlainEvents or AllEvents, as the world asks for. draw(block) draws a block
-/// of the random numbers of their events, and is called once for each stage of an event. `leave`:
-/// see pass_surface(). Ledger: of one photon, or of lanes.
+/// The steps of photons by Events: PlainEvents or AllEvents, as the world asks for. draw(block)
+/// draws a block of the random numbers of their events, and is called once for each stage of an
+/// event. `leave`: see pass_surface(). Ledger: of one photon, or of lanes.
 template <class Events, class T, class Ledger>
 struct ForwardSteps {
   const World<T>& world;
@@ -38,7 +38,7 @@ struct ForwardSteps {
     if (!world.cones.empty()) draw(event_blocks[2]);
   }
 
-  /// What is scored of a flight before it begins.
+  /// Scores a flight before it begins.
   void look_ahead(Travellers<T>& t) {
     if (!world.cones.empty())
       score_on_the_way<Events>(world, t, who_are_scored(world, t, t.on), estimates, tally);
@@ -136,16 +136,16 @@ struct ForwardSteps {
  private:
   [[nodiscard]] bool flies_on() const { return !Events::tools && world.flies_on; }
 
-  /// What the bed absorbs.
+  /// Books the weight that the bed absorbs.
   void book_bed(const transport::Photon<T>& photon, const Mask<T>& colliding) {
     const T albedo = surface::bed_albedo(world.sea, photon.line, T(-photon.direction.z));
     book(ledger.sea_bed, colliding & surface::on_bed<T>(world.sea, photon.layer),
          photon.weight * (T(1) - albedo));
   }
 
-  /// Reflects photons of a mask at the surface, but for the weight that passes. Those who are left
-  /// with far less than the threshold play roulette at once, before more is done for little light;
-  /// of the number that they play by others use what is left. Tells who goes on.
+  /// Reflects photons of a mask at the surface, but for the weight that passes. Photons left with
+  /// far less than the threshold play roulette at once, before more is done for little light; the
+  /// others use the rest of the number that it is played by. Returns which go on.
   Mask<T> reflect_in_flight(Travellers<T>& t, const Mask<T>& reflected,
                             transport::Photon<T>& photon) {
     book_leaving(ledger, reflected, transport::reflect_down(world.sea, photon));
@@ -182,7 +182,7 @@ struct ForwardSteps {
                                    t.branch.phase, t.branch.lobe, t.targets, world.directed);
     t.photon.weight = t.photon.weight * select(t.colliding, ratio, T(1));
   }
-  /// Those who were sent towards a target below it end: no light goes there.
+  /// Ends the photons that were sent towards a target below it: no light goes there.
   void leave_bed(Travellers<T>& t) {
     t.on = t.on & !(t.colliding & (t.photon.weight == T(0)));
     t.touched = select(t.colliding, transport::touched_at<T>(world.sea, t.photon.layer, t.touched),
@@ -190,7 +190,7 @@ struct ForwardSteps {
     t.photon.layer =
         select(t.colliding, world.sea.template layer_of<T>(t.photon.layer), t.photon.layer);
   }
-  /// What is left of the number that decided whether directions were drawn towards targets.
+  /// The rest of the number that decided whether directions were drawn towards targets.
   T left_of_direction(const Travellers<T>& t) const {
     const T& u = t.u[3];
     if (!world.directs) return u;

@@ -1,6 +1,6 @@
-// The surface's own echo, of light that has not been in the water. The bidirectional estimator's
-// walks leave it to the forward one. Where a film of oil shines, histories beside the walks score
-// it (beside_walks.hpp).
+// The surface's own echo: light that has not been in the water. The bidirectional estimator's walks
+// leave it to the forward one. Where a film of oil shines, histories beside the walks score it
+// (beside_walks.hpp).
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ void rise_to_surface(const World<T>& world, Travellers<T>& t, Estimates<T>& esti
   cross_waves<Events>(world, t, rises, false, estimates, tally, ledger, {});
 }
 
-/// Of photons `first` … `first + count - 1` of a batch, if there are waves; nothing else of them
-/// counts.
+/// Scores the echo of photons `first` … `first + count - 1` of a batch, if there are waves; nothing
+/// else of them counts.
 template <class Ledger, class T>
 PHOTIC_APART void surface_echo(const World<T>& world, std::uint64_t first, std::uint64_t count,
                                tally::BatchTally& tally) {

@@ -1,4 +1,4 @@
-// Where directed sampling sends light that is scattered: to the telescopes, or, before it is
+// The targets of directed sampling: scattered light is sent to the telescopes, or, before it is
 // converted, into their views.
 #pragma once
 

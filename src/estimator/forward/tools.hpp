@@ -1,6 +1,6 @@
-// What the forward estimator can do beyond the plain walk: forced collisions, splitting, what
-// becomes of light photons (docs/theory.md, "The paper's tools"). Each leaves the mean as it is,
-// but for scene::AtThreshold::end.
+// The forward estimator's tools beyond the plain walk: forced collisions, splitting, the end of
+// light photons (docs/theory.md, "The paper's tools"). Each leaves the mean as it is, but for
+// scene::AtThreshold::end.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ T importance_at(const Tools<T>& tools, const T& depth) {
   return value;
 }
 
-/// Which photons fly so that they do not leave the water.
+/// Returns which photons fly so that they do not leave the water.
 template <class T>
 Mask<T> are_forced(const World<T>& world, const RandomPlace<T>& place) {
   return place.event <= world.tools.forced_flights;
@@ -55,7 +55,7 @@ void begin_with_tools(const World<T>& world, Travellers<T>& travellers, const Ma
 }
 
 /// Splits photons on their way to where they are worth more, and kills some of those on their way
-/// to where they are worth less. Tells who goes on, and how many copies besides.
+/// to where they are worth less. Returns which go on, and the number of copies besides.
 template <class T, class Ledger>
 Mask<T> split(const World<T>& world, Travellers<T>& travellers, const Mask<T>& on, Ledger& ledger) {
   transport::Photon<T>& photon = travellers.photon;

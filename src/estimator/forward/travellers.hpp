@@ -37,11 +37,11 @@ struct Travellers : Track<T> {
                                ///< same for all of a history, so that light can be sent there
   Ratios<T> ratios;            ///< of their weights in environments
 
-  // Of the event:
+  // For the event:
   std::array<T, 4> u{}, choices{}, forced{};  ///< numbers: of all events, and where they are asked
                                               ///< for, of choices and of forced collisions
   T free_path{};                              ///< of the flight, an optical depth
-  transport::Branch<T> branch;                ///< what the collision made of them
+  transport::Branch<T> branch;                ///< their collision
   Targets<T> targets;                         ///< of the directions that they may take next
   transport::Deflection<T> deflection;        ///< by the collision
   Vec3<T> old_direction;                      ///< before it
@@ -55,14 +55,14 @@ struct Travellers : Track<T> {
   }
 };
 
-/// Whether a route to a region leads by waves.
+/// Returns whether a route to a region leads by waves.
 template <class T>
 bool by_waves(const World<T>& world, const geometry::Region<T>& region, geometry::Route route) {
   return world.sea.waves.rough && (region.in_air || route == geometry::Route::mirrored);
 }
 
-/// Where a group of telescopes may see a point, by the points of the lenses that take part in local
-/// estimates of single rays.
+/// Returns whether a group of telescopes may see a point, by the points of the lenses that take
+/// part in local estimates of single rays.
 template <class T>
 Mask<T> near_view(const World<T>& world, std::size_t g, const Vec3<T>& position,
                   const Index<T>& line, const std::vector<instrument::PlanePoint<T>>& lens) {

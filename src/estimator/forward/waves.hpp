@@ -1,6 +1,6 @@
-// What telescopes expect of light that stands at a rough surface: the surface's own echo, and light
-// that goes from facet to facet. What comes there from the water for the first time has been scored
-// at its collision.
+// The expected scores of light that stands at a rough surface: the surface's own echo, and light
+// that goes from facet to facet. Light that comes there from the water for the first time has been
+// scored at its collision.
 #pragma once
 
 #include "estimator/cross_waves.hpp"
@@ -68,7 +68,8 @@ PHOTIC_APART void score_at_surface(const World<T>& world, const Travellers<T>& t
   }
 }
 
-/// Photons of a mask who stand at the surface cross it or go back. `leave`: see pass_surface().
+/// Has photons of a mask that stand at the surface cross it or go back. `leave`: see
+/// pass_surface().
 template <class Events, class T, class Ledger>
 PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mask<T>& stand,
                               bool in_air, Estimates<T>& estimates, tally::BatchTally& tally,

@@ -1,8 +1,8 @@
-// What becomes of a path's weight in other waters than those it was drawn in: the ratio of the
-// path's density there to that here (docs/theory.md, "Environments").
+// A path's weight in other waters than those it was drawn in: the ratio of the path's density there
+// to that here (docs/theory.md, "Environments").
 //
-// Along a path two numbers are kept for each environment: the product of what collisions do, and
-// how much deeper the water is. What a flight or a collision does to them is a sum of rows of the
+// Along a path two numbers are kept for each environment: the product of the ratios of its
+// collisions, and the excess optical depth. A flight or a collision adds a sum of rows of the
 // medium's tables, with factors that are the same for all environments. The factors are worked out
 // for the photons of all lanes at once; the sums then, photon by photon, for so many environments
 // at once as there are lanes.
@@ -35,7 +35,7 @@ void each_group(const medium::EnvironmentsView& environments, Act act) {
     act(e);
 }
 
-/// Those of a group that are tangents.
+/// The environments of a group that are tangents.
 template <class T>
 Mask<T> tangents(const medium::EnvironmentsView& environments, std::int32_t first) {
   return Index<T>(first) + lane_numbers<T>() >= Index<T>(environments.first_tangent);
@@ -62,7 +62,7 @@ std::array<T, 2> joined(const medium::EnvironmentsView& environments, std::int32
   return {select(tangents<T>(environments, first), a[0] + b[0], a[0] * b[0]), a[1] + b[1]};
 }
 
-/// What is kept of one path, [environment].
+/// The numbers of one path, [environment].
 template <class T>
 struct PathRatio {
   Element<T>* product = nullptr;  ///< of the ratios of its collisions; of tangents their sum
@@ -109,7 +109,7 @@ struct PathRatio {
   }
 };
 
-/// What is kept of many paths.
+/// The numbers of many paths.
 template <class T>
 class PathRatios {
  public:
@@ -165,7 +165,7 @@ struct Passage {
   T depth2{}, length{};
 };
 
-/// How much deeper it is.
+/// Adds the excess optical depth of a passage.
 template <class T>
 void add_passage(const medium::MediumView& sea, Passage<T> s, Terms<T>& ways) {
   using std::abs;
@@ -239,7 +239,7 @@ struct Encounter {
   T cosine{1};         ///< on the bed: to the vertical, of the light that comes down to it
 };
 
-/// How much more the bed reflects, of what it does in the medium.
+/// Adds the excess reflection of the bed, over that in the medium.
 template <class T>
 void add_reflection(const medium::MediumView& sea, const Encounter<T>& c, Terms<T>& collision) {
   const T albedo = surface::bed_albedo(sea, c.line, c.cosine);
@@ -252,7 +252,7 @@ void add_reflection(const medium::MediumView& sea, const Encounter<T>& c, Terms<
     collision.add(sea.excess_bed(c.line, first + Index<T>(1)), rest * per_albedo);
 }
 
-/// How much more it has there, of all there is in the medium.
+/// Adds the excess of an encounter's coefficient there, over that in the medium.
 template <class T>
 void add_encounter(const medium::MediumView& sea, const Encounter<T>& c, Terms<T>& collision) {
   if (any(c.converted))
@@ -271,8 +271,8 @@ void add_encounter(const medium::MediumView& sea, const Encounter<T>& c, Terms<T
   }
 }
 
-/// What completes a path beyond what is kept of its walks: the ways that are still to go, and the
-/// collisions at their ends.
+/// The completion of a path beyond its walks' numbers: the ways still to go, and the collisions at
+/// their ends.
 template <class T>
 struct Completion {
   Terms<T> ways;

@@ -1,5 +1,5 @@
-// What becomes of a path's weight in environments with another film of oil, or none
-// (docs/theory.md, "Environments").
+// A path's weight in environments with another film of oil, or none (docs/theory.md,
+// "Environments").
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ using medium::back_into_water;
 using medium::through_film;
 using surface::FilmCrossing;
 
-/// How much less light goes on there, as an optical depth. Between the angles that it is known at
-/// it goes straight over sqrt(1 - cos).
+/// Adds the loss of light there, as an optical depth. Between the angles that it is known at it is
+/// linear in sqrt(1 - cos).
 template <class T>
 void add_film(const medium::MediumView& sea, const FilmCrossing<T>& crossing, Terms<T>& ways) {
   using std::sqrt;
@@ -49,7 +49,7 @@ template <class T>
 class OtherEmission {
  public:
   void clear() { any_ = false; }
-  /// As surface::emitted_by_film() takes it.
+  /// Notes an emission as surface::emitted_by_film() takes it.
   void emit(const medium::MediumView& sea, const surface::AtFilm<T>& at, const Index<T>& line,
             const Vec3<T>& direction, bool up) {
     using std::abs;
@@ -63,7 +63,7 @@ class OtherEmission {
     cosine_out_ = each_lane(up ? along : T(T(0) - along));
     here_ = each_lane(surface::emitted_by_film(sea, at, line, direction, up));
   }
-  /// What it is more than here, over what it is here, for environments from `first` on.
+  /// The excess over the value here, relative to it, for environments from `first` on.
   [[nodiscard]] T sum(const medium::MediumView& sea, std::size_t lane, std::int32_t first) const {
     if (!any_ || !(here_[lane] > 0)) return T(0);
     const auto& of = sea.environments;

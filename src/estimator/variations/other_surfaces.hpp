@@ -1,5 +1,5 @@
-// What becomes of a path's weight in environments with other waves or whitecaps where it meets the
-// surface (docs/theory.md, "Environments").
+// A path's weight in environments with other waves or whitecaps where it meets the surface
+// (docs/theory.md, "Environments").
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@
 
 namespace photic::estimator {
 
-/// What a meeting in each lane makes of weights, lane by lane, for so many environments at once as
-/// there are lanes. Facets have the ratio of two densities of slopes and of Smith's factors between
-/// facets, whitecaps that of their fractions.
+/// The ratio of weights by a meeting in each lane, lane by lane, for as many environments at once
+/// as there are lanes. Facets have the ratio of two densities of slopes and of Smith's factors
+/// between facets, whitecaps that of their fractions.
 template <class T>
 class OtherSurfaces {
  public:
@@ -72,7 +72,7 @@ class OtherSurfaces {
   };
   static T per(double deviation) { return T(deviation > 0 ? 1 / deviation : 0); }
 
-  /// With the surfaces whose rows begin at one.
+  /// The ratio with the surfaces whose rows begin at one.
   [[nodiscard]] T ratio(const medium::MediumView& sea, const Rows& at, std::size_t lane,
                         std::int32_t from) const {
     using enum medium::SurfaceRow;

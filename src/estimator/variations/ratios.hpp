@@ -1,4 +1,4 @@
-// What happens to photons of the forward estimator on their walk, in environments.
+// The walk of photons of the forward estimator, in environments.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace photic::estimator {
 
-/// Photons on their walk: what is kept of them, and what is needed to keep it. What is handed over
-/// by value stays in the registers of scenes that have no environments.
+/// The numbers of photons on their walk, and all that is needed to update them. Arguments passed by
+/// value stay in the registers of scenes that have no environments.
 template <class T>
 struct Ratios {
   PathRatios<T>* paths = nullptr;
   std::size_t first = 0;        ///< path of the first lane
-  transport::Photon<T> before;  ///< what happens to them
+  transport::Photon<T> before;  ///< before the event
   Terms<T> terms;
   OtherSurfaces<T> surface;
   OtherEmission<T> emission;
@@ -32,7 +32,7 @@ struct Ratios {
         terms);
     pass(sea, mask);
   }
-  /// Those of a mask were scattered or converted where they stand.
+  /// Notes that photons of a mask were scattered or converted where they stand.
   PHOTIC_APART PHOTIC_FLATTEN void collided(const medium::MediumView& sea,
                                             transport::Photon<T> after, Mask<T> mask) {
     terms.clear();
@@ -45,15 +45,15 @@ struct Ratios {
       paths->of(first + i).collide(sea.environments, terms, i);
     });
   }
-  /// Those of a mask have come to a flat film, as it says.
+  /// Notes that photons of a mask have come to a flat film, as `crossing` states.
   PHOTIC_APART PHOTIC_FLATTEN void crossed(const medium::MediumView& sea, FilmCrossing<T> crossing,
                                            Mask<T> mask) {
     terms.clear();
     add_flat_film(sea, crossing, terms);
     pass(sea, mask);
   }
-  /// Those of a mask have come from an instrument in a region to the surface, and go in a direction
-  /// in the air or, else, in the water.
+  /// Notes that photons of a mask have come from an instrument in a region to the surface, and go
+  /// in a direction in the air or, else, in the water.
   PHOTIC_APART PHOTIC_FLATTEN void came_down(const medium::MediumView& sea,
                                              geometry::Region<T> region, Index<T> line,
                                              Vec3<T> direction, bool in_air, Mask<T> mask) {
@@ -75,7 +75,7 @@ struct Ratios {
       paths->of(first + i).meet(sea, emission, i);
     });
   }
-  /// Those of a mask have met the surface.
+  /// Notes that photons of a mask have met the surface.
   PHOTIC_APART PHOTIC_FLATTEN void met(const medium::MediumView& sea, surface::Meeting<T> meeting,
                                        Mask<T> mask) {
     surface.meet(sea, meeting);

@@ -109,7 +109,7 @@ TEST(Strategies, FreeNoWalksWhereMeansWithoutEndWouldBeNeeded) {
 // Seen red: with the reasons left out.
 TEST(Strategies, AreToldLineByLine) {
   const Model model = model_of(ship(tilted) + elastic + raman + water);
-  const auto told = strategies_told(model.scene, model.medium);
+  const auto told = reported_strategies(model.scene, model.medium);
   ASSERT_EQ(told.size(), 7U);
   EXPECT_EQ(told[1], "walks from both sides connected: yes: a share of 0.3");
   EXPECT_EQ(told[3],
@@ -120,13 +120,13 @@ TEST(Strategies, AreToldLineByLine) {
   scene::Scene chosen = model.scene;
   chosen.simulation.free_telescope_meetings = 0.25;
   chosen.simulation.free_laser_meetings = 0;
-  const auto then = strategies_told(chosen, model.medium);
+  const auto then = reported_strategies(chosen, model.medium);
   EXPECT_EQ(then[5], "free walks of telescopes: yes: two rays meet 0.25 times per metre of depth");
   EXPECT_EQ(then[6],
             "free walks of the laser: no: they cost more than they give, or are not requested");
   scene::Scene forward = model.scene;
   forward.simulation.estimator = scene::Estimator::forward;
-  EXPECT_TRUE(strategies_told(forward, model.medium).empty());
+  EXPECT_TRUE(reported_strategies(forward, model.medium).empty());
 }
 
 }  // namespace

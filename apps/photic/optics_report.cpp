@@ -1,4 +1,4 @@
-#include "photic/tell_optics.hpp"
+#include "photic/optics_report.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-io::OpticsOrigin origin_of(const Told& what, const OpticsCommand& command) {
+io::OpticsOrigin origin_of(const ReportSubject& what, const OpticsCommand& command) {
   return {.title = what.title,
           .scene_toml = what.scene_toml,
           .version = PHOTIC_VERSION,
@@ -37,12 +37,12 @@ std::string count(std::size_t number, const char* noun) {
   return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
 }
 
-/// What is told of a file that was written.
+/// The line that reports a file that was written.
 std::string where_it_is(const OpticsCommand& command, const std::string& what) {
   return fmt::format("{}: {}\n", command.output, what) + plot_hint(command.call, command.output);
 }
 
-/// Those asked for, or from the ultraviolet of fluorosensors to the red.
+/// The wavelengths asked for, or those from the ultraviolet of fluorosensors to the red.
 std::vector<double> wavelengths_of(const OpticsCommand& command) {
   std::vector<double> nm = command.wavelength_nm;
   for (double each = 300; command.wavelength_nm.empty() && each <= 700; each += 50)
@@ -51,8 +51,8 @@ std::vector<double> wavelengths_of(const OpticsCommand& command) {
 }
 
 /// Prints the text, or JSON, or writes the file.
-void tell(const io::SpectralTable& table, const std::string& text, const std::string& title,
-          const OpticsCommand& command) {
+void report(const io::SpectralTable& table, const std::string& text, const std::string& title,
+            const OpticsCommand& command) {
   if (!command.output.empty()) {
     io::write_spectral(table, origin_of({title, ""}, command), command.output);
     if (!command.json)
@@ -127,8 +127,8 @@ std::string transmittances_text(const io::SpectralTable& table) {
   return io::spectral_text(seen) + (clear.empty() ? "" : "\n1 throughout: " + clear + "\n");
 }
 
-/// Refuses what a tape7 has no use for.
-void tell_tape7(const std::string& text, const OpticsCommand& command) {
+/// Reports a tape7; refuses options that it has no use for.
+void report_tape7(const std::string& text, const OpticsCommand& command) {
   if (command.visibility_km || command.aerosol != OpticsCommand().aerosol)
     throw UsageError(command.air +
                      ": a tape7 holds transmittances, and no profile that aerosols could be added "
@@ -136,7 +136,7 @@ void tell_tape7(const std::string& text, const OpticsCommand& command) {
   const io::SpectralTable table =
       transmittances(optics::ModtranTransmittances(text, command.air), command);
   const std::string title = "Transmittances of " + command.air;
-  tell(table, title + "\n\n" + transmittances_text(table), title, command);
+  report(table, title + "\n\n" + transmittances_text(table), title, command);
 }
 
 /// The text of a file that is a tape7.
@@ -149,7 +149,8 @@ std::optional<std::string> tape7(const std::string& file) {
 
 }  // namespace
 
-void tell(const medium::OpticalTable& table, const Told& what, const OpticsCommand& command) {
+void report(const medium::OpticalTable& table, const ReportSubject& what,
+            const OpticsCommand& command) {
   if (!command.output.empty()) {
     const io::OpticsOrigin origin = origin_of(what, command);
     if (format_of(command.output) == Format::csv)
@@ -165,19 +166,19 @@ void tell(const medium::OpticalTable& table, const Told& what, const OpticsComma
   if (command.json) print_out(io::optics_json(table));
 }
 
-int tell_oil(const OpticsCommand& command) {
+int report_oil(const OpticsCommand& command) {
   check_output_of(command.oil, command);
   const optics::Library library(optics::find_data_folder());
   const optics::Oil oil = optics::oil(library, command.oil);
   const auto nm = wavelengths_of(command);
-  tell(io::oil_table(oil, nm), io::oil_text(oil, nm), "Oil: " + oil.name, command);
+  report(io::oil_table(oil, nm), io::oil_text(oil, nm), "Oil: " + oil.name, command);
   return done;
 }
 
-int tell_air(const OpticsCommand& command) {
+int report_air(const OpticsCommand& command) {
   check_output_of(command.air, command);
   if (const auto text = tape7(command.air)) {
-    tell_tape7(*text, command);
+    report_tape7(*text, command);
     return done;
   }
   const optics::AirLibrary library(optics::find_data_folder());
@@ -194,8 +195,8 @@ int tell_air(const OpticsCommand& command) {
   }
   optics::AerosolChoice aerosols;
   aerosols.model[optics::boundary_layer] = command.aerosol;
-  tell(medium::air_table(library, profile, aerosols, wavelengths_of(command)), {title, ""},
-       command);
+  report(medium::air_table(library, profile, aerosols, wavelengths_of(command)), {title, ""},
+         command);
   return done;
 }
 
