@@ -32,7 +32,7 @@ std::string totals(const OpticalTable& table, std::size_t layer) {
        of("b_b/b", table.backscatter_fraction, "{:.5f}"), of("g", table.mean_cosine, ratio)});
 }
 
-/// Nothing if they are not known.
+/// Empty if they are not known.
 std::string parts(const OpticalTable& table, std::size_t layer) {
   const std::size_t count = table.wavelengths(), first = layer * count;
   std::vector<TextColumn> columns = {wavelengths(table)};

@@ -17,7 +17,8 @@
 namespace photic::medium {
 namespace {
 
-/// Of the lobe in which walks look for the laser's beam: as wide as light spreads in it.
+/// The asymmetry of the lobe in which walks look for the laser's beam: as wide as light spreads in
+/// it.
 constexpr double beam_lobe_g = 0.9;
 
 std::int32_t conversion_phase(Medium& medium, Process process, const optics::Library& library) {

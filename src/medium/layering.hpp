@@ -50,7 +50,7 @@ struct LayeringView {
   }
 
  private:
-  /// That holds a coordinate; the first, if it is not a number.
+  /// The cell that holds a coordinate; the first, if it is not a number.
   template <class T>
   [[nodiscard]] Index<T> cell(const Index<T>& row, const T& coordinate) const {
     const T place = coordinate * gather<T>(cells_per_unit, row);
@@ -63,7 +63,7 @@ struct LayeringView {
 class Layering {
  public:
   Layering() = default;
-  /// Of some layers' edges, which ascend in each row: [row][layers + 1].
+  /// Takes some layers' edges, which ascend in each row: [row][layers + 1].
   Layering(std::span<const double> edges, std::int32_t layers);
 
   [[nodiscard]] LayeringView view(const ShortTable& edge) const;

@@ -99,7 +99,7 @@ void RunControl::check_start(const tally::Shape& shape, const tally::BatchTally&
 
 bool RunControl::ends(const tally::Totals& totals, std::uint64_t merged_batches) {
   ending.wall_time_s = elapsed_s();
-  tell(totals);
+  report(totals);
   const auto because = [this](const char* reason) {
     ending.stopped_by = reason;
     return true;
@@ -115,7 +115,7 @@ bool RunControl::ends(const tally::Totals& totals, std::uint64_t merged_batches)
   return false;
 }
 
-void RunControl::tell(const tally::Totals& totals) {
+void RunControl::report(const tally::Totals& totals) {
   const double now = ending.wall_time_s;
   if (!options_.progress || (told_s_ >= 0 && now - told_s_ < seconds_between_tellings)) return;
   told_s_ = now;

@@ -14,7 +14,7 @@ namespace photic::scene {
 /// wavelength. The bed is that of a scene that has been read; the angle is from 0 to 90.
 [[nodiscard]] double albedo_of(const Bottom& bottom, double wavelength_nm, double zenith_deg);
 
-/// Whether it depends on that angle.
+/// Returns whether it depends on that angle.
 [[nodiscard]] bool depends_on_angle(const Bottom& bottom);
 
 /// A zenith angle at which a bed reflects light of a wavelength and another one none of it, if
