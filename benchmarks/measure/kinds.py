@@ -13,7 +13,7 @@ class Row:
     allowed: str = ""
     held: bool | None = None
 
-    def told(self):
+    def stated(self):
         return self.measured + (" (**not held**)" if self.held is False else "")
 
 

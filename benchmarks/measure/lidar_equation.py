@@ -12,7 +12,7 @@ RINGS, AZIMUTHS, POINTS = 24, 12, 12  # of the laser's cone; along a ray within 
 
 
 def echo(scene, edges_ns):
-    """Photons per photon emitted in each gate. `scene`: as `photic show --json` tells it; its sea has indices of its own."""
+    """Photons per photon emitted in each gate. `scene`: as `photic show --json` prints it; its sea has indices of its own."""
     rays = Rays(scene)
     telescope, layer = scene["telescope"][0], scene["sea"]["layer"][0]
     a, b = layer["iop"][0]["a_per_m"], layer["iop"][0]["b_per_m"]

@@ -41,14 +41,14 @@ def processor():
         lines = [line.partition(":") for line in Path("/proc/cpuinfo").read_text().splitlines()]
     except OSError:
         return platform.processor() or platform.machine()
-    told = {key.strip(): value.strip() for key, _, value in reversed(lines)}
-    if "model name" not in told:
+    said = {key.strip(): value.strip() for key, _, value in reversed(lines)}
+    if "model name" not in said:
         return platform.machine()
-    return f"{told['model name']} (family {told.get('cpu family', '?')}, model {told.get('model', '?')})"
+    return f"{said['model name']} (family {said.get('cpu family', '?')}, model {said.get('model', '?')})"
 
 
 def compiler(version, program):
-    """By what `photic --version` tells, or by the build folder that the program lies in."""
+    """By the output of `photic --version`, or by the build folder that the program lies in."""
     for line in version[1:]:
         name, _, value = line.partition(":")
         if "compiler" in name.lower():

@@ -45,7 +45,7 @@ def haze():
         panels.processes(left, one, [("elastic", colour)])
         panels.processes(right, one, [("air", colour)])
         lines.append((f"visibility {visibility:g} km", colour))
-        _tell(f"space, {visibility:g} km", one)
+        _print(f"space, {visibility:g} km", one)
     left.set_title("Light that has been in the water")
     right.set_title("Light of the air alone")
     left.legend(handles=panels.lines_legend(lines, False).handles, fontsize=8, loc="upper left")
@@ -69,7 +69,7 @@ def mirrored():
         panels.processes(panel, one, [(process, colour) for process, (_, colour) in PARTS.items()])
         _finish(panel, low, high, one.echo)
         panel.set_title(title)
-        _tell(scene, one)
+        _print(scene, one)
     left.set_xlim(1e-13, 1e-6)
     right.set_xlim(1e-16, 1e-10)
     for process, at in (("elastic", (2e-13, 14)), ("air", (8e-15, -10))):
@@ -99,14 +99,14 @@ def aerosols():
         water = _from_the_height(4e6, depth, 3.0, 30.0, 3.0)  # from where the air has no part in the echo
         panels.processes(right, water, [("elastic", colour)])
         below.append(water.echo_by_process.sel(process="elastic"))
-        _tell(f"3 km, {depth}", water)
+        _print(f"3 km, {depth}", water)
         lines.append(("no air" if depth is None else f"aerosol optical depth {depth}", colour))
         if depth is None:
             continue
         air = _from_the_height(8e6, depth, -1500.0, 0.0, 50.0)
         panels.processes(left, air, [("air", colour)])
         above.append(air.echo_by_process.sel(process="air"))
-        _tell(f"3 km, {depth}", air)
+        _print(f"3 km, {depth}", air)
     panels.finish_lines(left, above)
     panels.finish_lines(right, below)
     left.set(ylim=(0, -1500), ylabel="depth [m]; negative: height", title="Light of the air alone")
@@ -117,7 +117,7 @@ def aerosols():
     return drawing
 
 
-def _tell(name, one):
+def _print(name, one):
     """The numbers in the guide."""
     for process in one.process.values:
         part = one.sel(process=process)

@@ -201,10 +201,10 @@ def _draw_panels(page, row, part):
         panel.remove()
     for panel, cell, share in zip(panels, row.cells, row.shares()):
         cell.draw(panel)
-        told = panel.get_ylabel() if panel is panels[0] or not row.sharey else ""
-        told = folded(told, row.height - BELOW_AND_ABOVE, page.label)
-        panel.set_ylabel(told, fontsize=page.label)
-        beside = BESIDE + _height(told, page.label) if told else WITHOUT_AXIS
+        label_text = panel.get_ylabel() if panel is panels[0] or not row.sharey else ""
+        label_text = folded(label_text, row.height - BELOW_AND_ABOVE, page.label)
+        panel.set_ylabel(label_text, fontsize=page.label)
+        beside = BESIDE + _height(label_text, page.label) if label_text else WITHOUT_AXIS
         width = share * page.width - beside
         look = {"fontsize": page.heading, "loc": "left", "color": cell.colour}
         panel.set_title(text(folded(cell.title, width, page.heading)), **look)

@@ -365,6 +365,6 @@ def finish_depth(panel, results):
 
 def axis_of(result):
     """What the places of gates are."""
-    told = result.gate_depth.attrs
-    word = "depth" if told.get("standard_name") == "depth" else "range"
-    return "time [ns]" if told["units"] == "ns" else f"{word} [m]"
+    attributes = result.gate_depth.attrs
+    word = "depth" if attributes.get("standard_name") == "depth" else "range"
+    return "time [ns]" if attributes["units"] == "ns" else f"{word} [m]"

@@ -28,10 +28,10 @@ class Spectrum:
 def filters(result, channels):
     """The channels that are filters, by ascending wavelength; empty if these are so few that each has
     a colour of its own. The scene of a result says what a channel is."""
-    told = {channel["name"]: channel for channel in scene_of(result).get("channel", [])}
-    there = [name for name in channels if name in told and "centre_nm" in told[name]]
-    there.sort(key=lambda name: told[name]["centre_nm"])
-    return [told[name] for name in there] if len(there) > len(COLOURS) else []
+    by_name = {channel["name"]: channel for channel in scene_of(result).get("channel", [])}
+    there = [name for name in channels if name in by_name and "centre_nm" in by_name[name]]
+    there.sort(key=lambda name: by_name[name]["centre_nm"])
+    return [by_name[name] for name in there] if len(there) > len(COLOURS) else []
 
 
 def widths(found):

@@ -79,7 +79,7 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
                  medium.sources);
   if (scene.bottom)
     for (const Line& line : medium.line)
-      add_source("albedo of the sea bed", scene::albedo_told(*scene.bottom), line.wavelength_nm,
+      add_source("albedo of the sea bed", scene::reported_albedo(*scene.bottom), line.wavelength_nm,
                  medium.sources);
   for (std::size_t l = 0; l < medium.line.size(); ++l) {
     add_line_tables(scene, optics_of, light.lines, l, medium);

@@ -91,7 +91,7 @@ class RunControl {
   const RunOptions& options_;
   std::uint64_t spread_photons_, batch_photons_, batches_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double told_s_ = -1, next_checkpoint_s_;
+  double reported_s_ = -1, next_checkpoint_s_;
 };
 
 /// The threads of one run.

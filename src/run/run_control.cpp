@@ -11,7 +11,7 @@ namespace {
 
 // Batches until the target is first looked at, which doubles until it is so many.
 constexpr std::uint64_t first_look = 32, between_looks = 128;
-constexpr double seconds_between_tellings = 0.2;
+constexpr double seconds_between_reports = 0.2;
 
 [[noreturn]] void refuse(const Start& start, const std::string& reason,
                          const std::string& suggestion) {
@@ -117,8 +117,9 @@ bool RunControl::ends(const tally::Totals& totals, std::uint64_t merged_batches)
 
 void RunControl::report(const tally::Totals& totals) {
   const double now = ending.wall_time_s;
-  if (!options_.progress || (told_s_ >= 0 && now - told_s_ < seconds_between_tellings)) return;
-  told_s_ = now;
+  if (!options_.progress || (reported_s_ >= 0 && now - reported_s_ < seconds_between_reports))
+    return;
+  reported_s_ = now;
   Progress progress;
   progress.photons = totals.photons();
   progress.photons_before = options_.start ? options_.start->state.photons : 0;

@@ -79,7 +79,7 @@ std::optional<double> angle_lit_by_one_alone(const std::optional<Bottom>& one,
   return found == angles.end() ? std::nullopt : std::optional(*found);
 }
 
-std::string albedo_told(const Bottom& bottom) {
+std::string reported_albedo(const Bottom& bottom) {
   const AlbedoGrid grid = grid_of(bottom);
   const auto [least, most] = std::ranges::minmax(grid.albedo);
   const std::string values = least == most

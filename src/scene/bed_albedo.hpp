@@ -25,6 +25,6 @@ namespace photic::scene {
 
 /// The albedo, or from where to where it goes, and where that comes from: "0.1, given",
 /// "0.07 to 0.24, given in /…/sand.csv".
-[[nodiscard]] std::string albedo_told(const Bottom& bottom);
+[[nodiscard]] std::string reported_albedo(const Bottom& bottom);
 
 }  // namespace photic::scene

@@ -116,9 +116,9 @@ TEST_F(BedOfAFile, IsTheTableInIt) {
                           .scene;
   EXPECT_TRUE(scene == read_text(over_bed(both)));
   EXPECT_TRUE(read_text(write_scene(scene)) == scene) << write_scene(scene);
-  EXPECT_EQ(albedo_told(*scene.bottom), "0.1 to 0.8, given in " + files_.path("sand.csv"));
-  EXPECT_EQ(albedo_told(*read_text(over_bed(both)).bottom), "0.1 to 0.8, given");
-  EXPECT_EQ(albedo_told(*read_text(over_bed("0.1")).bottom), "0.1, given");
+  EXPECT_EQ(reported_albedo(*scene.bottom), "0.1 to 0.8, given in " + files_.path("sand.csv"));
+  EXPECT_EQ(reported_albedo(*read_text(over_bed(both)).bottom), "0.1 to 0.8, given");
+  EXPECT_EQ(reported_albedo(*read_text(over_bed("0.1")).bottom), "0.1, given");
   for (const char* rows :
        {"wavelength_nm,albedo\n500,0.1\n600,0.2\n", "zenith_deg,albedo\n0,0.1\n45,0.2\n90,0.3\n"}) {
     const Scene other = files_.read(sand(rows)).scene;
