@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Whether `auto` chooses well: CPU time until all gates meet the target, with `auto` and with each exact setting that bench tries.
+"""Tests whether `auto` chooses well: CPU time until all gates meet the target, with `auto` and with each exact setting that bench tries.
 
     experiments/choice.py build/release/apps/photic/photic scenes/*.toml --seeds 1 2 3 --cap 60
 

@@ -37,7 +37,7 @@ def to_40_m(file):
 
 
 def gates_of(result, target):
-    """Of the gates that light reaches, how many there are and how many are converged below the target."""
+    """The number of gates that light reaches, and of those that are converged below the target."""
     lit = [row for row in result["echoes"] if row["reasons"] != ["no_score"]]
     return {"gates": len(lit), "known": sum(row["converged"] and row["relative_error"] <= target for row in lit)}
 

@@ -1,4 +1,4 @@
-"""What a measurement is, and a row of its table."""
+"""A measurement, and a row of its table."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""How long things take: as ratios where possible, since machines differ."""
+"""Times: as ratios where possible, since machines differ."""
 
 import math
 import os

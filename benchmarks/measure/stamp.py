@@ -1,4 +1,4 @@
-"""What was measured, on what, and when."""
+"""The program, machine and date of a measurement."""
 
 import datetime
 import os
@@ -32,7 +32,7 @@ def stamp(runner):
 
 
 def differences(old, new):
-    """What keeps two stamps' numbers from standing in one table."""
+    """The reason why two stamps' numbers cannot stand in one table."""
     return [f"{key} was {old.get(key)!r} and is {new[key]!r} now" for key in new if key != "date" and old.get(key) != new[key]]
 
 
@@ -70,7 +70,7 @@ def git(*words):
 
 
 def changed():
-    """Whether files that git knows differ from the commit, other than those that are written here."""
+    """Returns whether files that git knows differ from the commit, other than those that are written here."""
     names = [line[3:] for line in git("status", "--porcelain", "--untracked-files=no").splitlines()]
     return any(name not in WRITTEN for name in names)
 

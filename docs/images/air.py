@@ -36,7 +36,7 @@ def _finish(panel, low, high, echoes):
 
 
 def haze():
-    """What a satellite sees of the water and of the air, by the visibility."""
+    """The view of a satellite into the water and the air, by the visibility."""
     drawing = Figure(figsize=(WIDTH, 4.4), layout="constrained")
     left, right = drawing.subplots(1, 2, sharey=True)
     lines = []
@@ -59,7 +59,7 @@ def haze():
 
 
 def mirrored():
-    """What the air adds to the first gates of a ship's lidar, and from high up."""
+    """The light that the air adds to the first gates of a ship's lidar, and from high up."""
     drawing = Figure(figsize=(WIDTH, 4.4), layout="constrained")
     left, right = drawing.subplots(1, 2)
     views = [(left, "ship.toml", "A ship, 12 m up", -11.0, 6.0, 0.5, 4e6)]
@@ -91,7 +91,7 @@ def _from_the_height(photons, depth, low, high, step):
 
 
 def aerosols():
-    """What an aircraft sees of the air and of the water, by how much aerosol there is."""
+    """The view of an aircraft into the air and the water, by the amount of aerosol."""
     drawing = Figure(figsize=(WIDTH, 3.6), layout="constrained")
     left, right = drawing.subplots(1, 2)
     above, below, lines = [], [], []

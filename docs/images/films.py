@@ -93,7 +93,7 @@ def _missing(panel, name, result, films, clean, colour):
 
 
 def _formula(result, thickness):
-    """What the film lets pass of the Raman light: eq. 97 of docs/theory.md."""
+    """The share of the Raman light that the film lets pass: eq. 97 of docs/theory.md."""
     of = result.sel(channel="raman").squeeze()
     return float(of.film_interface_ratio) * numpy.exp(-1e-6 * thickness * float(of.film_attenuation))
 

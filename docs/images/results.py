@@ -26,7 +26,7 @@ SHIP = 5e5  # photons of the runs that two pictures share
 
 
 def run(scene, photons, estimator="auto", telescope=0, seed=1, **changes):
-    """What a telescope of a scene sees; changes: values by their paths. Nothing but the
+    """The echo that a telescope of a scene sees; changes: values by their paths. Nothing but the
     photons ends it, not the time, so that it is the same anywhere."""
     changes["simulation"] = {"seed": seed, "photons": int(photons / run.fewer), "estimator": estimator}
     return _run(scene, json.dumps(changes)).isel(telescope=telescope)
@@ -43,7 +43,7 @@ def _run(scene, changes):
 
 
 def ship():
-    """What `photic plot` draws."""
+    """The figure that `photic plot` draws."""
     result = run("ship.toml", SHIP).expand_dims("telescope")
     return plot.figure([result], ["ship"], width_mm=25.4 * WIDTH)
 

@@ -107,7 +107,7 @@ def spread(count, most):
 
 
 def columns(page, width):
-    """How many panels of that width stand side by side."""
+    """The number of panels of that width that stand side by side."""
     return max(1, int(page.width / (page.scale * width) + 1e-6))
 
 
@@ -144,7 +144,7 @@ def _lines(page, cells):
 
 
 def as_many_as_fit(page, most, draw):
-    """What draw makes of the largest number, up to most, whose rows are not too high, or of 1. It
+    """Returns the drawing of the largest number, up to most, whose rows are not too high, or of 1. draw
     gives rows, and notes of what has no place."""
     for count in range(most, 0, -1):
         rows, notes = draw(count)
@@ -155,7 +155,7 @@ def as_many_as_fit(page, most, draw):
 
 
 def _heights(page, row):
-    """Of the panels, and of the legends if there are any."""
+    """The heights of the panels, and of the legends if there are any."""
     strip = _strip(page, row)
     return [row.height] + ([max(height for *_, height in strip)] if strip else [])
 

@@ -73,7 +73,7 @@ def run(
 
 
 def _call(command):
-    """Of a program that wrote a result: its exit code, its remarks, and what it printed."""
+    """Runs a program that writes a result; returns its exit code, its remarks, and its output."""
     pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     try:
         process = subprocess.Popen(command, encoding="utf-8", errors="surrogateescape", **pipes)
@@ -117,7 +117,7 @@ def _finish(process):
 
 
 def _result_of(output_text):
-    """Where the program says that the result is: beside the output, if more photons were there."""
+    """The place of the result according to the program: beside the output, if more photons were there."""
     places = re.findall(r"^Result(?: \(.*\))?: (.+)$", output_text, re.MULTILINE)
     return places[-1] if places else None
 

@@ -35,12 +35,12 @@ def filters(result, channels):
 
 
 def widths(found):
-    """What the filters found let pass in all [nm]."""
+    """The integrated transmission of the filters found [nm]."""
     return numpy.array([each["fwhm_nm"] * AREA[each.get("filter", "top-hat")] for each in found])
 
 
 def seen(view, found, echo="echo", converged="converged"):
-    """What one telescope sees through the filters found; echo, converged: names of variables with the
+    """The echo that one telescope sees through the filters found; echo, converged: names of variables with the
     dimensions channel and gate.
 
     A result holds no covariances of gates. Whatever these are, the error of a sum is not above the

@@ -22,7 +22,7 @@ def grouped(result, telescopes):
 
 
 def _width(telescope):
-    """Of its view, over that of another one behind the same lens."""
+    """The width of its view, over that of another one behind the same lens."""
     if "detector_diameter_m" in telescope:
         return telescope["detector_diameter_m"]
     return 2 * telescope["focal_length_m"] * math.tan(1e-3 * telescope["half_field_of_view_mrad"])
