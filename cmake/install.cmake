@@ -5,7 +5,7 @@ set(share ${CMAKE_INSTALL_DATADIR}/photic)
 install(DIRECTORY data/ DESTINATION ${share}/data FILES_MATCHING PATTERN "*.csv" PATTERN "README.md" PATTERN "reference" EXCLUDE)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/scenes/ DESTINATION ${share}/scenes)
 
-# Debian's path of Python packages under the prefix /usr. The metadata tell Python the version, of which project() in CMakeLists.txt is
+# Debian's path of Python packages under the prefix /usr. The metadata give Python the version, of which project() in CMakeLists.txt is
 # the one place.
 set(packages lib/python3/dist-packages)
 set(metadata photic-${PROJECT_VERSION}.dist-info)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Whether the forward and the bidirectional estimator agree in every gate and every order of scattering, over many seeds.
+"""Tests whether the forward and the bidirectional estimator agree in every gate and every order of scattering, over many seeds.
 
     experiments/agreement_by_seeds.py build/release/apps/photic/photic scenes/airborne.toml --seeds 20 \
         --forward 2e6 --bidirectional 2e5

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Whether `auto` chooses well: CPU time until all gates meet the target, with `auto` and with each exact setting that bench tries.
+"""Tests whether `auto` chooses well: CPU time until all gates meet the target, with `auto` and with each exact setting that bench tries.
 
     experiments/choice.py build/release/apps/photic/photic scenes/*.toml --seeds 1 2 3 --cap 60
 
@@ -46,9 +46,9 @@ def run(command, cap):
 
 def settings_of_bench(program, scene):
     """Exact settings by name, each once: those that differ in the engine alone are one."""
-    told = subprocess.run([program, "bench", scene, "--time", "1s", "--threads", "1", "--json"], check=True, capture_output=True, text=True)
+    done = subprocess.run([program, "bench", scene, "--time", "1s", "--threads", "1", "--json"], check=True, capture_output=True, text=True)
     out = {}
-    for candidate in json.loads(told.stdout)["candidates"]:
+    for candidate in json.loads(done.stdout)["candidates"]:
         if candidate["exact"] and candidate["settings"] not in out.values():
             out[candidate["name"]] = candidate["settings"]
     return out
@@ -72,7 +72,7 @@ def to_target(program, scene, settings, seed, target, cap):
                     "reason": tomllib.loads(file.scene)["simulation"].get("estimator_reason", "")}
 
 
-def told(runs):
+def in_words(runs):
     median = statistics.median(r["cpu_s"] for r in runs)
     if all(r["met"] for r in runs):
         return f"{median:.2f} s"
@@ -93,9 +93,9 @@ def measure(program, scene, options):
     seconds = {name: statistics.median(r["cpu_s"] for r in measured[name]) for name in ("auto", best)}
     both_met = all(r["met"] for name in ("auto", best) for r in measured[name])
     ratio = f"{seconds['auto'] / seconds[best]:.2f}" if both_met else "not known: a target was missed"
-    print(f"{scene}: auto {told(measured['auto'])}, best {told(measured[best])} ({best}), ratio {ratio}", flush=True)
+    print(f"{scene}: auto {in_words(measured['auto'])}, best {in_words(measured[best])} ({best}), ratio {ratio}", flush=True)
     for name, runs in sorted(measured.items(), key=lambda item: rank(item[1])):
-        print(f"    {name}: {told(runs)}", flush=True)
+        print(f"    {name}: {in_words(runs)}", flush=True)
     print(f"    {measured['auto'][0]['reason']}", flush=True)
 
 

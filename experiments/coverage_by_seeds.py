@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How often 95 % intervals of a scene's gates that are not flagged cover the mean over many seeds.
+"""The share of 95 % intervals of a scene's gates that are not flagged which cover the mean over many seeds.
 
     experiments/coverage_by_seeds.py build/release/apps/photic/photic experiments/hard.toml 100 \
         --set simulation.estimator=bidirectional --photons 120000

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How often 95 % intervals of environments whose attenuation is many times the scene's cover what runs of their own find.
+"""The share of 95 % intervals that cover runs of their own, for environments of many times the scene's attenuation.
 
     experiments/coverage_of_strong_changes.py build/release/apps/photic/photic bidirectional 0.924 62000 100
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What the scenes of scenes/ cost in multiples of R, the CPU time of peaked water to 40 m.
+"""The cost of the scenes of scenes/ in multiples of R, the CPU time of peaked water to 40 m.
 
     experiments/instruments.py                        # all of them
     experiments/instruments.py rov spaceborne         # some

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Whether settings of the bidirectional estimator change errors alone: echoes at their ends, against one another.
+"""Tests whether settings of the bidirectional estimator change errors alone: echoes at their ends, against one another.
 
     experiments/settings.py build/release/apps/photic/photic --photons 4e5
     experiments/settings.py build/release/apps/photic/photic --photons 4e5 --scenes focus plane --seed 2

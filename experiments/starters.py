@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Which gates of the starters (`photic new KIND`) do not meet their targets at the end of their runs, and why.
+"""Gates of the starters (`photic new KIND`) that do not meet their targets at the end of their runs, and the reasons.
 
     experiments/starters.py                           # all of them, as they are
     experiments/starters.py oil-spill ship --threads 1
@@ -43,7 +43,7 @@ MANY = 3  # channels with gates left for one reason: more are counted, not named
 
 @dataclass
 class Gate:
-    """Of a starter, not converged to its target."""
+    """A gate of a starter, not converged to its target."""
 
     number: int
     depth: float  # its centre, in the coordinate of its file [m]
@@ -159,7 +159,7 @@ def reason(gate, stopped_by):
 
 
 def reasons(one):
-    """What is left of a run, one sentence for each reason."""
+    """The gates left of a run, one sentence for each reason."""
     found = {}
     for channel in one.channels:
         for gate in channel.left:
@@ -177,7 +177,7 @@ def reasons(one):
 
 
 def met(one):
-    """How many gates met the target, by channel where some did not."""
+    """The number of gates that met the target, by channel where some did not."""
     missed = [channel for channel in one.channels if channel.left]
     if len(one.channels) == 1 or not missed:
         return f"{one.gates - one.left} of {one.gates}"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What each of the paper's tools gains or costs: docs/decisions/0016-the-papers-tools.md.
+"""The gain or cost of each of the paper's tools: docs/decisions/0016-the-papers-tools.md.
 
     experiments/tools_merit.py build/release/apps/photic/photic [--seeds 24] [--cpu 1.0]
 

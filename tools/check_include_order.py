@@ -22,7 +22,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
 def reason_against(folder: str, mark: str, header: str) -> str | None:
-    """Why a file of `folder` (a floor, or apps) may not include the header; None if it may."""
+    """The reason why a file of `folder` (a floor, or apps) may not include the header; None if it may."""
     if mark == "<":
         for head, homes in HOMES.items():
             if header.startswith(head) and folder not in homes:

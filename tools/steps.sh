@@ -22,7 +22,7 @@ step() { printf '\n== %s\n' "$*"; }
 quietly() { logged drain "$@"; }
 drain() { cat >/dev/null; }
 
-# building LOG COMMAND…: as quietly, and tells how far ninja is.
+# building LOG COMMAND…: as quietly, and prints how far ninja is.
 building() { NINJA_STATUS='[%f/%t] ' logged progress "$@"; }
 
 # Reads what ninja says: one line that moves on a terminal; elsewhere a line for each quarter.

@@ -240,7 +240,7 @@ int run(const BenchCommand& command) {
   options.threads = command.threads;
   options.interrupt = &interrupted();
   if (is_terminal(Stream::error))
-    options.tell = [](const std::string& line) { print_error("measuring " + line + '\n'); };
+    options.report = [](const std::string& line) { print_error("measuring " + line + '\n'); };
   listen_for_interrupts();
   const auto comparison = run::compare_estimators(reading.scene, options);
   if (!comparison) return interrupt_exit_code();

@@ -43,14 +43,15 @@ std::string comments(const std::string& head, const std::vector<std::string>& it
 /// telescopes share them, and where every number comes from.
 std::string notes_on(const estimator::Model& model) {
   const tally::Result result = estimator::describe(model);
-  const auto of_air = model.air ? medium::air_told(estimator::reported_scene(model), *model.air)
+  const auto of_air = model.air ? medium::reported_air(estimator::reported_scene(model), *model.air)
                                 : std::vector<std::string>{};
   return comments(
              "The share of each open lens whose rays reach the detector, from points on its axis",
-             estimator::focus_told(model)) +
+             estimator::reported_focus(model)) +
          comments("The air above the sea", of_air) +
          comments("How the bidirectional estimator draws paths", result.strategies) +
-         comments("Telescopes that share their light", estimator::nested_views_told(model.scene)) +
+         comments("Telescopes that share their light",
+                  estimator::reported_nested_views(model.scene)) +
          comments("The optics of this scene and their sources", result.sources);
 }
 

@@ -1,1 +1,1 @@
-"""What Photic claims of its accuracy and its speed, measured, and the pages that tell it."""
+"""Photic's claims of accuracy and speed, measured, and the pages that report it."""

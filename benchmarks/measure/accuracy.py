@@ -82,7 +82,7 @@ def measure_agreement(runner):
 
 
 def family_wise_z(count, level=0.01):
-    """What `count` standard normals all stay below, but for a chance of `level`."""
+    """The bound that `count` standard normals all stay below, but for a chance of `level`."""
     return NormalDist().inv_cdf(1 - (1 - (1 - level) ** (1 / count)) / 2)
 
 
@@ -133,7 +133,7 @@ ISAS = ("baseline", "avx2", "avx512")
 
 
 def isas_here(runner):
-    """What this program and processor have; why not, of the others."""
+    """The instruction sets of this program and processor; the reasons why the others are absent."""
     here, absent = [], {}
     for isa in ISAS:
         try:

@@ -1,4 +1,4 @@
-"""How often intervals hold what they claim to hold."""
+"""The coverage of intervals, against their claims."""
 
 import math
 

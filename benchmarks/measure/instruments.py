@@ -37,7 +37,7 @@ def to_40_m(file):
 
 
 def gates_of(result, target):
-    """Of the gates that light reaches, how many there are and how many are converged below the target."""
+    """The number of gates that light reaches, and of those that are converged below the target."""
     lit = [row for row in result["echoes"] if row["reasons"] != ["no_score"]]
     return {"gates": len(lit), "known": sum(row["converged"] and row["relative_error"] <= target for row in lit)}
 
@@ -62,16 +62,16 @@ def measure_costs(runner, chosen=None):
     return {"yardstick": yardsticks, "scenes": costs}
 
 
-def told_cost(runs, r):
+def stated_cost(runs, r):
     """The median of the runs' CPU times in R, and all of them; infinite are those that did not reach the target."""
     costs = sorted(one["cpu_s"] / r if one["stopped_by"] == "target" else math.inf for one in runs)
     if math.isinf(statistics.median(costs)):
         return "not reached"
-    told = [number(cost) if cost < math.inf else "not reached" for cost in costs]
-    return f"{number(statistics.median(costs))} R ({', '.join(told)})"
+    each = [number(cost) if cost < math.inf else "not reached" for cost in costs]
+    return f"{number(statistics.median(costs))} R ({', '.join(each)})"
 
 
-def told_gates(runs):
+def stated_gates(runs):
     """The fewest known gates of several runs, of the most that light reached."""
     return f"{min(one['known'] for one in runs)} of {max(one['gates'] for one in runs)} gates"
 
@@ -82,7 +82,7 @@ def rows_costs(raw):
     yield Row("R", f"{r:.2f} s of CPU, the median of {len(times)} runs from {min(times):.2f} to {max(times):.2f} s")
     for scene, runs in raw["scenes"].items():
         estimators = ", ".join(dict.fromkeys(one["estimator"] for one in runs))
-        yield Row(scene, f"{told_cost(runs, r)}; {told_gates(runs)}; {estimators}")
+        yield Row(scene, f"{stated_cost(runs, r)}; {stated_gates(runs)}; {estimators}")
 
 
 # --- as a user meets them ---
@@ -104,8 +104,8 @@ def measure_first_runs(runner, chosen=None):
 def rows_first_runs(raw):
     for scene, one in raw.items():
         flags = ", ".join(f"{reason} {count}" for reason, count in one["flags"].items()) or "none"
-        told = f"{one['wall_s']:.1f} s, by {one['stopped_by']}; {one['converged']} of {one['gates']} gates converged"
-        yield Row(scene, f"{told}, {one['known']} at the target; flags: {flags}; {one['estimator']}")
+        ended = f"{one['wall_s']:.1f} s, by {one['stopped_by']}; {one['converged']} of {one['gates']} gates converged"
+        yield Row(scene, f"{ended}, {one['known']} at the target; flags: {flags}; {one['estimator']}")
 
 
 MEASUREMENTS = [

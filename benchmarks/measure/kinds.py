@@ -1,4 +1,4 @@
-"""What a measurement is, and a row of its table."""
+"""A measurement, and a row of its table."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ class Row:
     allowed: str = ""
     held: bool | None = None
 
-    def told(self):
+    def stated(self):
         return self.measured + (" (**not held**)" if self.held is False else "")
 
 

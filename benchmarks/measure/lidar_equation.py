@@ -12,7 +12,7 @@ RINGS, AZIMUTHS, POINTS = 24, 12, 12  # of the laser's cone; along a ray within 
 
 
 def echo(scene, edges_ns):
-    """Photons per photon emitted in each gate. `scene`: as `photic show --json` tells it; its sea has indices of its own."""
+    """Photons per photon emitted in each gate. `scene`: as `photic show --json` prints it; its sea has indices of its own."""
     rays = Rays(scene)
     telescope, layer = scene["telescope"][0], scene["sea"]["layer"][0]
     a, b = layer["iop"][0]["a_per_m"], layer["iop"][0]["b_per_m"]
@@ -68,7 +68,7 @@ class Rays:
         self.weight = 1 - fresnel(1.0, self.n, -k[:, 2], -self.direction[:, 2])
 
     def distance_of(self, path):
-        """How far along each ray light turns back that has come so far when it reaches the lens."""
+        """The distance along each ray at which light turns back that has come so far when it reaches the lens."""
         low, high = np.zeros(len(self.path)), np.full(len(self.path), path)
         for _ in range(60):
             middle = (low + high) / 2
@@ -118,7 +118,7 @@ def lens(telescope, way):
 
 
 def common_area(r1, r2, distance):
-    """Of two circles."""
+    """The common area of two circles."""
     r1, r2, d = np.broadcast_arrays(r1, r2, np.maximum(distance, 1e-12))
     first = np.arccos(np.clip((d * d + r1 * r1 - r2 * r2) / (2 * d * r1), -1, 1))
     second = np.arccos(np.clip((d * d + r2 * r2 - r1 * r1) / (2 * d * r2), -1, 1))

@@ -1,4 +1,4 @@
-"""What stands between two markers of a page, which a script writes anew."""
+"""The text between two markers of a page, which a script writes anew."""
 
 import re
 

@@ -59,14 +59,14 @@ def page(results, title, intro, measurements):
         "<!-- Written by benchmarks/measure.py write; changes go there. -->", "",
         intro + " Everything here is written by [measure.py](../benchmarks/measure.py) from runs that it makes:", "",
         "```", f"benchmarks/measure.py run -o {RESULTS}", f"benchmarks/measure.py write {RESULTS}", "```", "",
-        *told(stamp),
+        *stamped(stamp),
     ]
     for measurement in measurements:
         lines += ["", *section(measurement, results["measurements"].get(measurement.name))]
     return "\n".join(lines) + "\n"
 
 
-def told(stamp):
+def stamped(stamp):
     version = stamp["version"] + (", built before the sources were last written" if stamp["program_older_than_sources"] else "")
     rows = {
         "processor": f"{stamp['processor']}, {stamp['cores']} cores",
@@ -84,9 +84,9 @@ def section(measurement, record):
         return [*lines, f"**Not measured**: {cell(record['failed'])}"]
     rows = list(measurement.rows(record["raw"]))
     if any(row.allowed for row in rows):
-        lines += table(["what", "allowed", "measured"], [(row.what, row.allowed, row.told()) for row in rows])
+        lines += table(["what", "allowed", "measured"], [(row.what, row.allowed, row.stated()) for row in rows])
     else:
-        lines += table(["what", "measured"], [(row.what, row.told()) for row in rows])
+        lines += table(["what", "measured"], [(row.what, row.stated()) for row in rows])
     lines += ["", measurement.how, "", f"`benchmarks/measure.py run --only {measurement.name}` runs:", ""]
     return [*lines, "```", *record["commands"], "```"]
 

@@ -25,7 +25,7 @@ def find_program():
 
 
 class Runner:
-    """Runs commands and remembers them. `reduced` asks for as little work as tells whether a measurement works at all;
+    """Runs commands and remembers them. `reduced` asks for as little work as shows whether a measurement works at all;
     `known` are results of earlier runs by their arguments, which measurements may share."""
 
     def __init__(self, program, reduced=False, known=None):

@@ -40,17 +40,17 @@ def agreement(raw):
 
 
 def of_coverage(allowed, by_estimator):
-    told = [intervals.covered("", counts, allowed) for counts in by_estimator]
+    rows = [intervals.covered("", counts, allowed) for counts in by_estimator]
     shares = [100 * coverage.share(counts["covered"], counts["converged"])[0] for counts in by_estimator]
-    held = all(row.held is not False for row in told)
-    return told[0].allowed, verdict(f"{min(shares):.1f} to {max(shares):.1f} %", held)
+    held = all(row.held is not False for row in rows)
+    return rows[0].allowed, verdict(f"{min(shares):.1f} to {max(shares):.1f} %", held)
 
 
 def slabs(raw):
     rows = list(accuracy.rows_slabs(raw))
-    told = "; ".join(row.measured for row in rows)
+    measured = "; ".join(row.measured for row in rows)
     published = "; ".join(row.allowed.split(" ")[0] for row in rows)
-    return f"within 3 errors of {published}", verdict(told, all(row.held for row in rows))
+    return f"within 3 errors of {published}", verdict(measured, all(row.held for row in rows))
 
 
 TRUST = (
@@ -65,12 +65,12 @@ TRUST = (
 
 
 def time_of(scene):
-    return lambda raw: (f"{scene[0].upper()}{scene[1:]}: 2 % to 40 m", speed.told_time(raw[scene], raw["limit"]))
+    return lambda raw: (f"{scene[0].upper()}{scene[1:]}: 2 % to 40 m", speed.stated_time(raw[scene], raw["limit"]))
 
 
 def worst(raw):
     name, one = speed.slowest(raw)
-    return f"Slowest of {len(raw) - 1}: {name}", speed.told_time(one, raw["limit"])
+    return f"Slowest of {len(raw) - 1}: {name}", speed.stated_time(one, raw["limit"])
 
 
 def environments(raw):
@@ -80,8 +80,8 @@ def environments(raw):
 
 def lanes(raw):
     times = {name: speed.over_scalar(raw, name) for name in accuracy.BOTH}
-    told = "; ".join(f"{number(ratio)} times {name}" for name, (ratio, _) in times.items())
-    return f"Lanes ({times['forward'][1]}) over the scalar engine", told
+    ratios = "; ".join(f"{number(ratio)} times {name}" for name, (ratio, _) in times.items())
+    return f"Lanes ({times['forward'][1]}) over the scalar engine", ratios
 
 
 SPEED = (

@@ -1,4 +1,4 @@
-"""How long things take: as ratios where possible, since machines differ."""
+"""Times: as ratios where possible, since machines differ."""
 
 import math
 import os
@@ -46,7 +46,7 @@ def measure_target(runner):
     return out
 
 
-def told_time(one, limit):
+def stated_time(one, limit):
     if one["stopped_by"] == "target":
         return f"{one['wall_s']:.1f} s ({one['cpu_s']:.1f} s of CPU)"
     return f"{one['known']} of {one['gates']} gates after {limit.removesuffix('s')} s"
@@ -61,7 +61,7 @@ def slowest(raw):
 def rows_target(raw):
     for name, one in raw.items():
         if name != "limit":
-            yield Row(f"{name} ({one['estimator']})", told_time(one, raw["limit"]))
+            yield Row(f"{name} ({one['estimator']})", stated_time(one, raw["limit"]))
 
 
 # --- the estimators by depth ---
@@ -92,8 +92,8 @@ def rows_estimators(raw):
         for band in BANDS:
             both, forward = (in_band(merits[name], band) for name in ("bidirectional, 0.6", "forward, ray"))
             known = not math.isnan(both)
-            told = f"{number(both)} and {number(forward)} per second: ratio {number(both / forward)}" if known else "no gate known"
-            yield Row(f"{scene}, {band[0]} to {band[1]} m", told)
+            measured = f"{number(both)} and {number(forward)} per second: ratio {number(both / forward)}" if known else "no gate known"
+            yield Row(f"{scene}, {band[0]} to {band[1]} m", measured)
 
 
 # --- what walks the photons ---
@@ -131,8 +131,8 @@ def over_scalar(raw, name):
 def rows_engines(raw):
     for key, (photons, collisions) in raw["best"].items():
         scalar = raw["best"][key.split(", ")[0] + ", scalar"][0]
-        told = f"{number(photons)} photons/s, {number(collisions)} collisions/s"
-        yield Row(key, told + ("" if key.endswith("scalar") else f": {photons / scalar:.1f} times the scalar engine's photons/s"))
+        measured = f"{number(photons)} photons/s, {number(collisions)} collisions/s"
+        yield Row(key, measured + ("" if key.endswith("scalar") else f": {photons / scalar:.1f} times the scalar engine's photons/s"))
     for isa, reason in raw["absent"].items():
         yield Row(isa, f"not measured: {reason}")
 
@@ -189,9 +189,9 @@ def measure_environments(runner):
 def rows_environments(raw):
     for name, least in raw.items():
         for count in ("1", "4", "16"):
-            told = f"{least[count] / least['0']:.2f} times the time of none"
-            told += f", {least[count] / least['1']:.2f} times that of one" if count != "1" else ""
-            yield Row(f"{name}, {count}", told)
+            measured = f"{least[count] / least['0']:.2f} times the time of none"
+            measured += f", {least[count] / least['1']:.2f} times that of one" if count != "1" else ""
+            yield Row(f"{name}, {count}", measured)
 
 
 def measure_derivatives(runner):

@@ -1,4 +1,4 @@
-"""What was measured, on what, and when."""
+"""The program, machine and date of a measurement."""
 
 import datetime
 import os
@@ -32,7 +32,7 @@ def stamp(runner):
 
 
 def differences(old, new):
-    """What keeps two stamps' numbers from standing in one table."""
+    """The reason why two stamps' numbers cannot stand in one table."""
     return [f"{key} was {old.get(key)!r} and is {new[key]!r} now" for key in new if key != "date" and old.get(key) != new[key]]
 
 
@@ -41,14 +41,14 @@ def processor():
         lines = [line.partition(":") for line in Path("/proc/cpuinfo").read_text().splitlines()]
     except OSError:
         return platform.processor() or platform.machine()
-    told = {key.strip(): value.strip() for key, _, value in reversed(lines)}
-    if "model name" not in told:
+    said = {key.strip(): value.strip() for key, _, value in reversed(lines)}
+    if "model name" not in said:
         return platform.machine()
-    return f"{told['model name']} (family {told.get('cpu family', '?')}, model {told.get('model', '?')})"
+    return f"{said['model name']} (family {said.get('cpu family', '?')}, model {said.get('model', '?')})"
 
 
 def compiler(version, program):
-    """By what `photic --version` tells, or by the build folder that the program lies in."""
+    """By the output of `photic --version`, or by the build folder that the program lies in."""
     for line in version[1:]:
         name, _, value = line.partition(":")
         if "compiler" in name.lower():
@@ -70,7 +70,7 @@ def git(*words):
 
 
 def changed():
-    """Whether files that git knows differ from the commit, other than those that are written here."""
+    """Returns whether files that git knows differ from the commit, other than those that are written here."""
     names = [line[3:] for line in git("status", "--porcelain", "--untracked-files=no").splitlines()]
     return any(name not in WRITTEN for name in names)
 

@@ -36,7 +36,7 @@ def _finish(panel, low, high, echoes):
 
 
 def haze():
-    """What a satellite sees of the water and of the air, by the visibility."""
+    """The view of a satellite into the water and the air, by the visibility."""
     drawing = Figure(figsize=(WIDTH, 4.4), layout="constrained")
     left, right = drawing.subplots(1, 2, sharey=True)
     lines = []
@@ -45,7 +45,7 @@ def haze():
         panels.processes(left, one, [("elastic", colour)])
         panels.processes(right, one, [("air", colour)])
         lines.append((f"visibility {visibility:g} km", colour))
-        _tell(f"space, {visibility:g} km", one)
+        _print(f"space, {visibility:g} km", one)
     left.set_title("Light that has been in the water")
     right.set_title("Light of the air alone")
     left.legend(handles=panels.lines_legend(lines, False).handles, fontsize=8, loc="upper left")
@@ -59,7 +59,7 @@ def haze():
 
 
 def mirrored():
-    """What the air adds to the first gates of a ship's lidar, and from high up."""
+    """The light that the air adds to the first gates of a ship's lidar, and from high up."""
     drawing = Figure(figsize=(WIDTH, 4.4), layout="constrained")
     left, right = drawing.subplots(1, 2)
     views = [(left, "ship.toml", "A ship, 12 m up", -11.0, 6.0, 0.5, 4e6)]
@@ -69,7 +69,7 @@ def mirrored():
         panels.processes(panel, one, [(process, colour) for process, (_, colour) in PARTS.items()])
         _finish(panel, low, high, one.echo)
         panel.set_title(title)
-        _tell(scene, one)
+        _print(scene, one)
     left.set_xlim(1e-13, 1e-6)
     right.set_xlim(1e-16, 1e-10)
     for process, at in (("elastic", (2e-13, 14)), ("air", (8e-15, -10))):
@@ -91,7 +91,7 @@ def _from_the_height(photons, depth, low, high, step):
 
 
 def aerosols():
-    """What an aircraft sees of the air and of the water, by how much aerosol there is."""
+    """The view of an aircraft into the air and the water, by the amount of aerosol."""
     drawing = Figure(figsize=(WIDTH, 3.6), layout="constrained")
     left, right = drawing.subplots(1, 2)
     above, below, lines = [], [], []
@@ -99,14 +99,14 @@ def aerosols():
         water = _from_the_height(4e6, depth, 3.0, 30.0, 3.0)  # from where the air has no part in the echo
         panels.processes(right, water, [("elastic", colour)])
         below.append(water.echo_by_process.sel(process="elastic"))
-        _tell(f"3 km, {depth}", water)
+        _print(f"3 km, {depth}", water)
         lines.append(("no air" if depth is None else f"aerosol optical depth {depth}", colour))
         if depth is None:
             continue
         air = _from_the_height(8e6, depth, -1500.0, 0.0, 50.0)
         panels.processes(left, air, [("air", colour)])
         above.append(air.echo_by_process.sel(process="air"))
-        _tell(f"3 km, {depth}", air)
+        _print(f"3 km, {depth}", air)
     panels.finish_lines(left, above)
     panels.finish_lines(right, below)
     left.set(ylim=(0, -1500), ylabel="depth [m]; negative: height", title="Light of the air alone")
@@ -117,7 +117,7 @@ def aerosols():
     return drawing
 
 
-def _tell(name, one):
+def _print(name, one):
     """The numbers in the guide."""
     for process in one.process.values:
         part = one.sel(process=process)

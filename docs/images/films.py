@@ -53,7 +53,7 @@ def oil():
     left, right = drawing.subplots(1, 2)
     right.plot([0.05, 20], [0.05, 20], color="0.5", linewidth=0.9, linestyle="--")
     for (name, result), colour in zip(runs.items(), OILS.values()):
-        _tell(name, result, clean)
+        _print(name, result, clean)
         films = [_under(result, d) for d in THICKNESSES]
         _missing(left, name, result, films, clean, colour)
         for formula, look in (("paper", {"markerfacecolor": "white"}), ("interfaces", {})):
@@ -93,12 +93,12 @@ def _missing(panel, name, result, films, clean, colour):
 
 
 def _formula(result, thickness):
-    """What the film lets pass of the Raman light: eq. 97 of docs/theory.md."""
+    """The share of the Raman light that the film lets pass: eq. 97 of docs/theory.md."""
     of = result.sel(channel="raman").squeeze()
     return float(of.film_interface_ratio) * numpy.exp(-1e-6 * thickness * float(of.film_attenuation))
 
 
-def _tell(name, result, clean):
+def _print(name, result, clean):
     """The numbers in the guide."""
     of = result.sel(channel="raman").squeeze()
     _say(f"{name}: {float(of.film_attenuation):.4g} 1/m, interfaces {float(of.film_interface_ratio):.4f}")

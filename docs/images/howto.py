@@ -21,7 +21,7 @@ RADIUS = 1.0  # of the compass
 
 
 def _wind_direction(bearing, x_axis=EAST):
-    """Of a wind from there: as docs/howto/waves.md has it."""
+    """The direction of a wind from there, as docs/howto/waves.md has it."""
     return (x_axis - bearing) % 360
 
 

@@ -1,4 +1,4 @@
-"""How all pictures look."""
+"""The style of all pictures."""
 
 from pathlib import Path
 

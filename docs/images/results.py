@@ -26,7 +26,7 @@ SHIP = 5e5  # photons of the runs that two pictures share
 
 
 def run(scene, photons, estimator="auto", telescope=0, seed=1, **changes):
-    """What a telescope of a scene sees; changes: values by their paths. Nothing but the
+    """The echo that a telescope of a scene sees; changes: values by their paths. Nothing but the
     photons ends it, not the time, so that it is the same anywhere."""
     changes["simulation"] = {"seed": seed, "photons": int(photons / run.fewer), "estimator": estimator}
     return _run(scene, json.dumps(changes)).isel(telescope=telescope)
@@ -43,7 +43,7 @@ def _run(scene, changes):
 
 
 def ship():
-    """What `photic plot` draws."""
+    """The figure that `photic plot` draws."""
     result = run("ship.toml", SHIP).expand_dims("telescope")
     return plot.figure([result], ["ship"], width_mm=25.4 * WIDTH)
 
@@ -166,9 +166,9 @@ def _gate_by_gate(panel, values, depth, good, colour, label=None):
 
 def _reasons(one):
     """The meanings of flags, each with the gates that have it."""
-    told = one.convergence_flags.attrs
+    named = one.convergence_flags.attrs
     flags = one.convergence_flags.values
-    pairs = zip(told["flag_meanings"].split(), told["flag_masks"])
+    pairs = zip(named["flag_meanings"].split(), named["flag_masks"])
     return {meaning: (flags & mask) > 0 for meaning, mask in pairs}
 
 
@@ -361,10 +361,10 @@ def _emission(scene):
     """The layers' upper edges [m]; in each the ratio of chlorophyll's light to Raman light emitted;
     and by how much pure water absorbs the first more than the second [1/m]."""
     line = [find_program(), "optics", str(scene), "--json"]
-    told = json.loads(subprocess.run(line, check=True, capture_output=True, text=True).stdout)
+    shown = json.loads(subprocess.run(line, check=True, capture_output=True, text=True).stdout)
     emitted = []
-    for layer in told["layers"]:
+    for layer in shown["layers"]:
         of = {process: each["coefficient_per_m"] for process, each in layer["emission"].items()}
         emitted.append(of["chlorophyll"] / of["raman"])
-    _, raman, chlorophyll = told["layers"][0]["parts"]["water"]["a_per_m"]
-    return [layer["depth_m"] for layer in told["layers"]], emitted, chlorophyll - raman
+    _, raman, chlorophyll = shown["layers"][0]["parts"]["water"]["a_per_m"]
+    return [layer["depth_m"] for layer in shown["layers"]], emitted, chlorophyll - raman

@@ -39,17 +39,17 @@ def main(arguments=None):
     except Error as error:
         print(error, file=sys.stderr)
         return error.exit_code
-    for remark in _told(remarks):
+    for remark in _in_lines(remarks):
         print(remark, file=sys.stderr)
     return 0
 
 
-def _told(remarks):
+def _in_lines(remarks):
     """Each warning on a line; letters that the font lacks once for all."""
     texts = [str(remark.message).replace("\n", " ") for remark in remarks]
     lacking = any(text.startswith("Glyph ") for text in texts)
-    told = list(dict.fromkeys(text for text in texts if not text.startswith("Glyph ")))
-    return told + ["letters that the font of plots lacks are drawn as boxes"] * lacking
+    lines = list(dict.fromkeys(text for text in texts if not text.startswith("Glyph ")))
+    return lines + ["letters that the font of plots lacks are drawn as boxes"] * lacking
 
 
 def draw(options):

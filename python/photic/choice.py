@@ -1,4 +1,4 @@
-"""Which telescopes and channels a figure shows, and on which axis."""
+"""The telescopes and channels that a figure shows, and their axis."""
 
 from dataclasses import dataclass
 
@@ -11,25 +11,25 @@ MOST_TELESCOPES = 4  # in a figure
 
 @dataclass(frozen=True)
 class Drawn:
-    """What a figure shows of its results: telescopes and channels by name. The telescope None is
+    """The content of a figure: telescopes and channels by name. The telescope None is
     the only one of each result, whatever its name is."""
 
     telescopes: list
     channels: list
 
     def title(self, telescope, words):
-        """Of a panel: with the telescope's name where there are several."""
+        """The title of a panel: with the telescope's name where there are several."""
         return f"{telescope}: {words}" if len(self.telescopes) > 1 else words
 
     def title_of(self, group, words):
-        """Of a panel that telescopes share: with their names where there are others."""
+        """The title of a panel that telescopes share: with their names where there are others."""
         if len(group) == 1:
             return self.title(group[0], words)
         return f"{', '.join(group)}: {words}" if len(group) < len(self.telescopes) else words
 
 
 def drawn(results, names, telescopes, channels, notes):
-    """What is drawn of what is wanted (nothing: all); what does not fit goes to the notes.
+    """Returns the part of the choice that is drawn (nothing: all); the rest goes to the notes.
 
     Raises photic.Error as chosen does.
     """

@@ -1,4 +1,4 @@
-"""What can go wrong, as reported to the user."""
+"""Errors, as reported to the user."""
 
 
 class Error(Exception):

@@ -24,8 +24,8 @@ EVEN = 1.01  # the largest step of wavelengths over the smallest one, on an axis
 
 @dataclass(frozen=True)
 class Columns:
-    """Of a map: the channels by ascending wavelength [nm]; width_nm: what their echoes are divided by,
-    or None; of: what they are."""
+    """The columns of a map: channels by ascending wavelength [nm]; width_nm: the divisors of their echoes,
+    or None; of: their kind."""
 
     names: list
     wavelength: numpy.ndarray
@@ -48,7 +48,7 @@ class Columns:
         return Spectrum(self.wavelength, *parts)
 
     def edges(self):
-        """Of the columns, and whether these are wavelengths: those that do not follow each other evenly
+        """The edges of the columns, and whether these are wavelengths: columns that do not follow each other evenly
         stand side by side."""
         steps = numpy.diff(self.wavelength)
         if len(steps) == 0 or steps.min() <= 0 or steps.max() > EVEN * steps.min():

@@ -117,7 +117,7 @@ def oil_thickness(
 
 
 def _variance_of_log_ratio(oily, water, lit):
-    """Of ln(W / E), to the first order. It is vE/E^2 + vW/W^2 - 2 cov/(E W), with 2 cov =
+    """The variance of ln(W / E), to the first order: vE/E^2 + vW/W^2 - 2 cov/(E W), with 2 cov =
     vE + vW - vD, written so that like echoes lose no digits. NaN where the three errors contradict
     one another: no covariance makes it fall below (sE/E - sW/W)^2, except by rounding."""
     e, w = oily.echo.where(lit), water.echo.where(lit)
@@ -129,7 +129,7 @@ def _variance_of_log_ratio(oily, water, lit):
 
 
 def _measured(result, ratio, error, formula):
-    """What was measured, by gate or alike in all, and the thickness of the run's film [um]; None if
+    """The measured values, by gate or alike in all, and the thickness of the run's film [um]; None if
     nothing was."""
     if ratio is None and error is None:
         return None
@@ -169,7 +169,7 @@ def _by_gate(result, name, values):
 
 
 def _fits(result, values):
-    """Whether there is a value for each telescope and gate of the result along the axes that there are."""
+    """Returns whether there is a value for each telescope and gate of the result along the axes that there are."""
     if set(values.dims) - {"telescope", "gate"}:
         return False
     named = set(values.telescope.values) == set(result.telescope.values) if "telescope" in values.dims else True

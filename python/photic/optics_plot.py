@@ -44,7 +44,7 @@ def figure(optics, title=None, width_mm=None):
 
 
 def _rows(sheet, optics, cells, most):
-    """Those of so many layers, or of all if there are fewer, and how many these are."""
+    """The rows of so many layers, or of all if there are fewer, and the number of these."""
     axis, out = _axis(optics), []
     layers = spread(optics.sizes[axis], most)
     for layer in layers[::-1] if axis == "altitude" else layers:
@@ -77,7 +77,7 @@ def _cell(title, draw, width=WIDE):
 
 
 def _proxy(line):
-    """Of a line, for the legend of another figure."""
+    """A copy of a line, for the legend of another figure."""
     look = {"color": line.get_color(), "linewidth": line.get_linewidth()}
     marker = {"marker": line.get_marker(), "markersize": line.get_markersize()}
     face = {"linestyle": line.get_linestyle(), "markerfacecolor": line.get_markerfacecolor()}
@@ -118,7 +118,7 @@ def _curves(table):
 
 
 def _numbers(table):
-    """What there is one number of."""
+    """The quantities with one number each, in words."""
     said = [
         f"; {table[name].attrs['long_name']}: {float(table[name]):.4g} {table[name].attrs['units']}"
         for name in table.data_vars

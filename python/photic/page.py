@@ -107,7 +107,7 @@ def spread(count, most):
 
 
 def columns(page, width):
-    """How many panels of that width stand side by side."""
+    """The number of panels of that width that stand side by side."""
     return max(1, int(page.width / (page.scale * width) + 1e-6))
 
 
@@ -144,7 +144,7 @@ def _lines(page, cells):
 
 
 def as_many_as_fit(page, most, draw):
-    """What draw makes of the largest number, up to most, whose rows are not too high, or of 1. It
+    """Returns the drawing of the largest number, up to most, whose rows are not too high, or of 1. draw
     gives rows, and notes of what has no place."""
     for count in range(most, 0, -1):
         rows, notes = draw(count)
@@ -155,7 +155,7 @@ def as_many_as_fit(page, most, draw):
 
 
 def _heights(page, row):
-    """Of the panels, and of the legends if there are any."""
+    """The heights of the panels, and of the legends if there are any."""
     strip = _strip(page, row)
     return [row.height] + ([max(height for *_, height in strip)] if strip else [])
 
@@ -201,10 +201,10 @@ def _draw_panels(page, row, part):
         panel.remove()
     for panel, cell, share in zip(panels, row.cells, row.shares()):
         cell.draw(panel)
-        told = panel.get_ylabel() if panel is panels[0] or not row.sharey else ""
-        told = folded(told, row.height - BELOW_AND_ABOVE, page.label)
-        panel.set_ylabel(told, fontsize=page.label)
-        beside = BESIDE + _height(told, page.label) if told else WITHOUT_AXIS
+        label_text = panel.get_ylabel() if panel is panels[0] or not row.sharey else ""
+        label_text = folded(label_text, row.height - BELOW_AND_ABOVE, page.label)
+        panel.set_ylabel(label_text, fontsize=page.label)
+        beside = BESIDE + _height(label_text, page.label) if label_text else WITHOUT_AXIS
         width = share * page.width - beside
         look = {"fontsize": page.heading, "loc": "left", "color": cell.colour}
         panel.set_title(text(folded(cell.title, width, page.heading)), **look)

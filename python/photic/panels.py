@@ -41,7 +41,7 @@ def line(panel, part, echo, standard_error, colour, style="-"):
 
 
 def band_ends(middle, half_width):
-    """Of a band on a logarithmic axis. A lower end at or below 0 has no place there: cut where the
+    """The ends of a band on a logarithmic axis. A lower end at or below 0 is cut off where the
     caption says."""
     return numpy.maximum(middle - half_width, 0.1 * middle), middle + half_width
 
@@ -72,7 +72,7 @@ def _curve(panel, depth, middle, ends, settled, colour, upright=True, style="-")
 
 
 def _alone(drawn):
-    """Those that the line has, between gates that it has not."""
+    """The gates that the line has, between gates that it has not."""
     around = numpy.concatenate([[False], drawn, [False]])
     return drawn & ~around[:-2] & ~around[2:]
 
@@ -136,7 +136,7 @@ def unsettled(echo, converged):
 
 
 def _limits(echoes):
-    """What holds every echo above 0; None if there is none."""
+    """The limits that hold every echo above 0; None if there is none."""
     values = numpy.concatenate([numpy.ravel(echo) for echo in echoes])
     values = values[values > 0]
     if len(values) == 0:
@@ -202,7 +202,7 @@ def environments(panel, part, colours):
 
 
 def changes(panel, part, colours):
-    """What the environments change in the echo of one channel: over the scene's, in per cent unless
+    """Draws the changes by the environments to the echo of one channel: over the scene's, in per cent unless
     factors are large. Bands are those of the difference."""
     echo = part.echo.where(part.echo > 0)
     ratio = (1 + part.environment_difference / echo).where(part.environment_echo > 0)
@@ -324,7 +324,7 @@ def orders_legend(results):
 
 
 def _shades(count):
-    """Of the orders 0, 1, …, count."""
+    """The shades of the orders 0, 1, …, count."""
     return [to_rgba("0.6"), *colormaps["viridis"](numpy.linspace(0.12, 0.95, count))]
 
 
@@ -364,7 +364,7 @@ def finish_depth(panel, results):
 
 
 def axis_of(result):
-    """What the places of gates are."""
-    told = result.gate_depth.attrs
-    word = "depth" if told.get("standard_name") == "depth" else "range"
-    return "time [ns]" if told["units"] == "ns" else f"{word} [m]"
+    """The label of the axis of gates."""
+    attributes = result.gate_depth.attrs
+    word = "depth" if attributes.get("standard_name") == "depth" else "range"
+    return "time [ns]" if attributes["units"] == "ns" else f"{word} [m]"

@@ -66,7 +66,7 @@ def _caption(result, shown):
 
 
 def _left_out(result):
-    """What a figure of several results does not show."""
+    """The parts that a figure of several results does not show."""
     more = {"environment": "environments", "parameter": "sensitivities"}
     there = " and ".join(word for axis, word in more.items() if axis in result.sizes)
     return f"; its {there} are drawn only where it is drawn alone" if there else ""

@@ -30,9 +30,9 @@ def draw(results, names, shown, width_mm):
     beside = max(len(mixed) + len(by_order) * len(one) for one, (mixed, by_order) in zip(seen, broken))
     free = WIDE + SLIM * min(beside, BESIDE)
     sheet = page(width_mm, free if len(shown.channels) <= len(COLOURS) else COLUMNS * GROUP)
-    told = min(len(by_order) for _, by_order in broken)
+    known = min(len(by_order) for _, by_order in broken)
     notes = []
-    kept(shown.channels, told, "channel", notes, "Orders of scattering are of")
+    kept(shown.channels, known, "channel", notes, "Orders of scattering are of")
     filters = spectrum.filters(results[0], shown.channels)
     if filters:
         notes.append(spectrum.CAPTION)
@@ -109,7 +109,7 @@ def _feeding(views, channel):
 
 
 def _groups(sheet, channels, views, most, notes):
-    """The channels in panels of so many that colours tell them apart. Of many channels those without
+    """The channels in panels of so many that colours distinguish them. Of many channels those without
     light are left out."""
     if len(channels) > len(COLOURS):
         dark = [name for name in channels if not any(_lit(view, name) for view in views)]

@@ -62,8 +62,8 @@ def run(
             command += ["--continue", os.fspath(continue_from)]
         if force:
             command.append("--force")
-        code, remarks, told = _call(command)
-        path = _result_of(told) or result
+        code, remarks, output_text = _call(command)
+        path = _result_of(output_text) or result
         dataset = open_result(path)
     if code != 0:
         _raise_ended(code, dataset, path if output is not None else None)
@@ -73,7 +73,7 @@ def run(
 
 
 def _call(command):
-    """Of a program that wrote a result: its exit code, its remarks, and what it printed."""
+    """Runs a program that writes a result; returns its exit code, its remarks, and its output."""
     pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     try:
         process = subprocess.Popen(command, encoding="utf-8", errors="surrogateescape", **pipes)
@@ -82,43 +82,43 @@ def _call(command):
         raise Error(message, exit_code=1) from error
     with process:
         try:
-            told, errors = process.communicate()
+            output_text, errors = process.communicate()
         except KeyboardInterrupt:
-            told = _finish(process)
+            output_text = _finish(process)
             if process.returncode not in (0, INTERRUPTED, TERMINATED):
                 raise
-            return INTERRUPTED, [], told
+            return INTERRUPTED, [], output_text
         except BaseException:
             process.kill()
             raise
     if process.returncode not in (0, INTERRUPTED, TERMINATED):
         message = errors.strip() or f"{command[0]} ended with code {process.returncode}"
         raise Error(message, exit_code=process.returncode)
-    return process.returncode, errors.splitlines(), told
+    return process.returncode, errors.splitlines(), output_text
 
 
 def _finish(process):
     """Lets an interrupted program write its partial result, and returns what it printed; a second
     Ctrl-C ends it."""
-    told = ""
+    output_text = ""
     try:
         # A terminal or a notebook has sent the signal to the program as well, and a second one
         # would end it at once: only a program that goes on has not got it.
         with contextlib.suppress(subprocess.TimeoutExpired):
-            told = process.communicate(timeout=PATIENCE_S)[0]
+            output_text = process.communicate(timeout=PATIENCE_S)[0]
         if process.poll() is None:
             process.send_signal(signal.SIGINT)
             with contextlib.suppress(subprocess.TimeoutExpired):
-                told = process.communicate(timeout=PATIENCE_S)[0]
-        return told
+                output_text = process.communicate(timeout=PATIENCE_S)[0]
+        return output_text
     finally:
         process.kill()  # nothing, if it has ended
         process.wait()
 
 
-def _result_of(told):
-    """Where the program says that the result is: beside the output, if more photons were there."""
-    places = re.findall(r"^Result(?: \(.*\))?: (.+)$", told, re.MULTILINE)
+def _result_of(output_text):
+    """The place of the result according to the program: beside the output, if more photons were there."""
+    places = re.findall(r"^Result(?: \(.*\))?: (.+)$", output_text, re.MULTILINE)
     return places[-1] if places else None
 
 

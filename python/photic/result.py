@@ -81,12 +81,12 @@ def _named(dataset):
 
 
 def is_optics(dataset):
-    """Whether a dataset holds the optics of layers, and no echoes."""
+    """Returns whether a dataset holds the optics of layers, and no echoes."""
     return dataset.attrs.get("photic_content") == "optics"
 
 
 def is_spectra(dataset):
-    """Whether a dataset holds spectra of an oil or transmittances of air."""
+    """Returns whether a dataset holds spectra of an oil or transmittances of air."""
     return dataset.attrs.get("photic_content") == "spectra"
 
 

@@ -1,4 +1,4 @@
-"""What a file says about data that are not verified."""
+"""The remarks of a file on data that are not verified."""
 
 import re
 

@@ -28,19 +28,19 @@ class Spectrum:
 def filters(result, channels):
     """The channels that are filters, by ascending wavelength; empty if these are so few that each has
     a colour of its own. The scene of a result says what a channel is."""
-    told = {channel["name"]: channel for channel in scene_of(result).get("channel", [])}
-    there = [name for name in channels if name in told and "centre_nm" in told[name]]
-    there.sort(key=lambda name: told[name]["centre_nm"])
-    return [told[name] for name in there] if len(there) > len(COLOURS) else []
+    by_name = {channel["name"]: channel for channel in scene_of(result).get("channel", [])}
+    there = [name for name in channels if name in by_name and "centre_nm" in by_name[name]]
+    there.sort(key=lambda name: by_name[name]["centre_nm"])
+    return [by_name[name] for name in there] if len(there) > len(COLOURS) else []
 
 
 def widths(found):
-    """What the filters found let pass in all [nm]."""
+    """The integrated transmission of the filters found [nm]."""
     return numpy.array([each["fwhm_nm"] * AREA[each.get("filter", "top-hat")] for each in found])
 
 
 def seen(view, found, echo="echo", converged="converged"):
-    """What one telescope sees through the filters found; echo, converged: names of variables with the
+    """The echo that one telescope sees through the filters found; echo, converged: names of variables with the
     dimensions channel and gate.
 
     A result holds no covariances of gates. Whatever these are, the error of a sum is not above the

@@ -101,7 +101,7 @@ void check_focus(const scene::Scene& scene, scene::Findings& findings) {
   }
 }
 
-std::vector<std::string> focus_told(const Model& model) {
+std::vector<std::string> reported_focus(const Model& model) {
   std::vector<std::string> out;
   for (std::size_t t = 0; t < model.scene.telescope.size(); ++t) out.push_back(report_of(model, t));
   return out;

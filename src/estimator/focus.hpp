@@ -15,6 +15,6 @@ namespace photic::estimator {
 void check_focus(const scene::Scene& scene, scene::Findings& findings);
 
 /// The line of `photic show` on each telescope.
-std::vector<std::string> focus_told(const Model& model);
+std::vector<std::string> reported_focus(const Model& model);
 
 }  // namespace photic::estimator

@@ -48,7 +48,7 @@ std::vector<NestedViews> nested_views(const scene::Scene& scene) {
   return out;
 }
 
-std::vector<std::string> nested_views_told(const scene::Scene& scene) {
+std::vector<std::string> reported_nested_views(const scene::Scene& scene) {
   std::vector<std::string> out;
   for (const NestedViews& views : nested_views(scene)) {
     if (views.size() == 1) continue;

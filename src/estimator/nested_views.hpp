@@ -18,6 +18,6 @@ using NestedViews = std::vector<std::size_t>;
 std::vector<NestedViews> nested_views(const scene::Scene& scene);
 
 /// A line for each group of more than one.
-std::vector<std::string> nested_views_told(const scene::Scene& scene);
+std::vector<std::string> reported_nested_views(const scene::Scene& scene);
 
 }  // namespace photic::estimator

@@ -1,4 +1,4 @@
-// What the air does to light, for the terminal.
+// The effect of the air on light, for the terminal.
 #pragma once
 
 #include <string>

@@ -12,13 +12,13 @@
 
 namespace photic::io {
 
-/// What stands in the columns.
+/// The contents of the columns.
 struct Columns {
   std::string title;                  ///< a sentence
   std::vector<std::string> meanings;  ///< of the columns, which are called A, B, C …
   /// The rows of a column.
   std::function<std::vector<EchoRow>(std::size_t)> rows;
-  /// What is told of a gate, given its row of the scene and that of the column.
+  /// The text for a gate, given its row of the scene and that of the column.
   std::function<std::string(const EchoRow&, const EchoRow&)> text;
 };
 
@@ -33,8 +33,8 @@ std::string columns_table(const tally::Result& result, const Columns& columns, s
 /// "A" … "Z", "AA", "AB" …, as spreadsheets call columns, from 0.
 std::string column_letters(std::size_t column);
 
-/// "0.8123±0.0012": two digits of the error, as many as it deserves; smaller ones are told as 1e-4.
-/// "-" for what is not a number.
+/// "0.8123±0.0012": two digits of the error, as many as it deserves; smaller ones are written as
+/// 1e-4. "-" for what is not a number.
 std::string with_error(double value, double error);
 
 }  // namespace photic::io

@@ -34,7 +34,7 @@ const char* const columns =
 bool has_environments(const tally::Result& result) { return !result.environment_name.empty(); }
 bool has_parameters(const tally::Result& result) { return !result.parameter_name.empty(); }
 
-/// What a file of text says first, and photons_in_text looks for.
+/// The first lines of a file of text, which photons_in_text looks for.
 std::string whose(const tally::Result& result) {
   return fmt::format("# {}\n# Photic {}{}{}, engine {}, seed {}{}{}{}\n", one_line(result.title),
                      result.version, estimator_word, result.estimator, result.engine, result.seed,
@@ -85,7 +85,7 @@ std::string line(const tally::Result& result, const EchoRow& row) {
                      row.converged() ? "yes" : "no", fmt::join(flag_names(row.flags), " "));
 }
 
-/// Of the number of an environment; without one all is empty but the difference.
+/// The fields of the environment of this number; without one all but the difference are empty.
 std::string environment_part(const tally::Result& result, std::optional<std::size_t> environment,
                              const EchoRow& row) {
   if (!has_environments(result)) return "";

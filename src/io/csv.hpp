@@ -1,5 +1,5 @@
-// The echoes as text: comma-separated values for spreadsheets, the printed table for people.
-// Everything else a run tells is in the netCDF file (io/netcdf.hpp).
+// The echoes as text: comma-separated values for spreadsheets, the printed table for people. All
+// other results of a run are in the netCDF file (io/netcdf.hpp).
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace photic::io {
 /// One row for each telescope, channel and gate, after a head of lines that start with '#'. Fields
 /// are quoted as in RFC 4180 (also those holding '#'); numbers read back to the same value; what is
 /// not a number is "nan". The rows of environments follow those of the scene; three more columns
-/// then tell them apart and hold their differences. The rows of parameters come last: the scene's,
-/// with the derivatives in five columns of their own and the convergence of these.
+/// then name them and hold their differences. The rows of parameters come last: the scene's, with
+/// the derivatives in five columns of their own and the convergence of these.
 std::string echo_csv(const tally::Result& result);
 
 /// Writes echo_csv to a file, whole or not at all; `keep_as` as in write_atomically. Throws
@@ -22,12 +22,13 @@ std::string echo_csv(const tally::Result& result);
 void write_csv(const tally::Result& result, const std::string& path,
                const std::string& keep_as = "");
 
-/// The same of echo_table with all gates and columns, after the two lines that tell whose it is.
+/// The same of echo_table with all gates and columns, after the two lines that say which run it is
+/// of.
 void write_table(const tally::Result& result, const std::string& path,
                  const std::string& keep_as = "");
 
-/// How many photons a file tells of that write_csv or write_table wrote; nothing if it is another
-/// file.
+/// The number of photons according to a file that write_csv or write_table wrote; nothing if it is
+/// another file.
 std::optional<std::uint64_t> photons_in_text(const std::string& path);
 
 }  // namespace photic::io

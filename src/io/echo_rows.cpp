@@ -17,7 +17,7 @@ bool are(std::size_t count, const tally::Estimates& estimates) {
   return estimates.mean.size() == count && estimates.standard_error.size() == count;
 }
 
-/// Those cells of an echo that begin at `first`.
+/// The rows of the cells of an echo that begin at `first`.
 std::vector<EchoRow> rows_of(const tally::Result& result, const tally::Estimates& echo,
                              const std::vector<std::int32_t>& flags, std::size_t first) {
   const std::size_t gates = result.gates();

@@ -11,7 +11,7 @@ std::string ratio_text(const EchoRow& scene, const EchoRow& environment) {
                     environment.difference_standard_error / scene.echo);
 }
 
-/// Its name, and the values that the name does not tell.
+/// Its name, and the values that are not in the name.
 std::string meaning(const tally::Result& result, std::size_t environment) {
   const std::string& values = result.environment_changes[environment];
   return result.environment_name[environment] + (values.empty() ? "" : ": " + values);

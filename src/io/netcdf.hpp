@@ -16,7 +16,7 @@ namespace photic::io {
 inline constexpr std::int32_t photic_format = 3;
 
 struct WriteInfo {
-  std::string history = {};     ///< how the file came to be; see history_line
+  std::string history = {};     ///< the origin of the file; see history_line
   std::string scene_file = {};  ///< seen from the folder of the result; empty: not known
   std::string keep_as = {};     ///< see write_atomically
 };
@@ -31,7 +31,7 @@ void write_netcdf(const tally::Result& result, const std::string& path, const Wr
 /// file cannot be read and InputError if it is not a result of Photic.
 std::string read_scene_attribute(const std::string& path);
 
-/// What a result file says of its run, for one that goes on from it.
+/// The run of a result file, for one that goes on from it.
 struct RunSoFar {
   std::string scene_toml, version, engine, history;
   std::string scene_file;  ///< as in WriteInfo

@@ -19,7 +19,8 @@ class NetcdfAttributes {
   [[nodiscard]] nc_type type(const char* attribute) const;
   /// Whichever way it is stored; "" if there is none.
   [[nodiscard]] std::string text(const char* attribute) const;
-  /// Of an attribute that may be several texts, or long; none if there is no such attribute.
+  /// The texts of an attribute that may be several texts, or long; none if there is no such
+  /// attribute.
   [[nodiscard]] std::vector<std::string> texts(const char* attribute) const;
   /// None if there is no such attribute.
   [[nodiscard]] std::vector<double> numbers(const char* attribute) const;
@@ -37,7 +38,7 @@ class NetcdfAttributes {
   const std::string name_;
 };
 
-/// Whether these are numbers, whole or not.
+/// Returns whether these are numbers, whole or not.
 [[nodiscard]] bool holds_numbers(nc_type type);
 
 }  // namespace photic::io

@@ -61,7 +61,8 @@ int type_of(const Values& values) {
 }
 
 /// The pieces that a variable is compressed in: values that lie one behind the other, as the last
-/// dimensions have them. What netCDF would choose cuts all dimensions, and is gathered from afar.
+/// dimensions have them. The choice of netCDF would cut all dimensions, and its pieces are gathered
+/// from afar.
 std::vector<std::size_t> chunk_of(std::vector<std::size_t> lengths) {
   std::size_t room = std::size_t{1} << 15;  // values; some 1e5 bytes fit a processor's cache
   for (auto length = lengths.rbegin(); length != lengths.rend(); ++length) {
@@ -89,7 +90,7 @@ int put_values(int file, int variable, const Values& values) {
       values);
 }
 
-/// Those of the chunks that are not all zeros.
+/// The chunks that are not all zeros.
 template <class Number>
 int put_nonzero(int file, int variable, std::span<const Number> values,
                 const std::vector<std::size_t>& lengths, std::vector<std::size_t> count) {

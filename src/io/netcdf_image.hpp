@@ -1,5 +1,5 @@
 // A netCDF-4 file made in memory. The disk then gets finished bytes (io/atomic_file.hpp), so that a
-// full disk is told as a full disk and not as the netCDF library's "HDF error".
+// full disk is reported as a full disk and not as the netCDF library's "HDF error".
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ using Values = std::variant<std::span<const double>, std::span<const float>,
                             std::span<const std::int32_t>, std::span<const std::int8_t>,
                             std::span<const std::uint64_t>, std::span<const std::string>>;
 
-/// Whether blocks of zeros are in the file, or are what is read where nothing was written. The
-/// latter takes next to no time, and makes 0 the fill value: for what no other program reads.
+/// Blocks of zeros are written to the file, or left out of it and read as the fill value, 0. The
+/// latter takes next to no time, and is for values that no other program reads.
 enum class Zeros { written, left_out };
 
 class NetcdfImage {

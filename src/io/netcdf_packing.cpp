@@ -12,7 +12,8 @@ constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 bool is_floating(nc_type type) { return type == NC_FLOAT || type == NC_DOUBLE; }
 
-/// What netCDF puts where nothing was written. Bytes have none: all their values are in use.
+/// The values that netCDF puts where nothing was written. Bytes have none: all their values are in
+/// use.
 std::optional<double> default_fill(nc_type type) {
   switch (type) {
     case NC_FLOAT:

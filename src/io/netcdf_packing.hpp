@@ -1,4 +1,4 @@
-// What the stored numbers of a netCDF variable stand for (CF-1.10, sections 2.5.1 and 8.1; NetCDF
+// The meaning of the stored numbers of a netCDF variable (CF-1.10, sections 2.5.1 and 8.1; NetCDF
 // Users Guide, attribute conventions).
 #pragma once
 
@@ -33,7 +33,8 @@ class Packing {
   std::vector<double> missing_;
   double scale_ = 1, offset_ = 0;
   double low_, high_;
-  /// Whether these bound what is unpacked: numbers that are not whole say nothing of whole ones.
+  /// True if these bound the unpacked numbers: numbers that are not whole say nothing of whole
+  /// ones.
   bool bounds_unpacked_ = false;
 };
 

@@ -31,7 +31,7 @@ int open_file(const std::string& path, const std::string& wanted) {
       throw EnvironmentError(fmt::format("{}: cannot read the file: {}", path, error.message()));
     refuse_file(path, fs::exists(path, error) ? "not a file" : "there is no such file", wanted);
   }
-  // Those of the system that have no end say so.
+  // Files of the system that have no end have a size of 0.
   if (fs::file_size(path, error) == 0) refuse_file(path, "not a netCDF file", wanted);
   int file = -1;
   const int status = nc_open(path.c_str(), NC_NOWRITE, &file);
@@ -111,7 +111,7 @@ std::uint64_t NetcdfReader::count(const std::string& name) const {
     check(nc_get_att(group_, NC_GLOBAL, name.c_str(), &value), name);
     return value;
   }
-  // Where another program wrote the result again: int64, or what netCDF-3 has for it.
+  // The result as another program wrote it again has int64, or the substitute of netCDF-3.
   constexpr double whole_below = 9007199254740992.0;  // 2^53
   const double value = is_single_number(name) ? number(name) : -1;
   if (!(value >= 0 && value <= whole_below && value == std::floor(value)))

@@ -25,7 +25,7 @@ class NetcdfReader {
   /// The format that Photic wrote it in; throws InputError if it did not.
   [[nodiscard]] double format() const;
 
-  /// What it holds in the place of echoes: "the optics of layers" (io/optics_file.hpp), "spectra"
+  /// The contents in the place of echoes: "the optics of layers" (io/optics_file.hpp), "spectra"
   /// (io/spectral_table.hpp). Empty: echoes.
   [[nodiscard]] std::string other_content() const;
 

@@ -17,7 +17,7 @@ constexpr const char* group = "continuation";
 
 using Names = std::vector<std::string>;
 
-// Where the numbers of an element are, in the order of the file's last dimension.
+// The places of the numbers of an element, in the order of the file's last dimension.
 constexpr auto itself = [](auto& x) { return std::array{&x}; };
 constexpr auto row = [](auto& r) {
   return std::array{&r.photons, &r.batches, &r.rests, &r.will_rest};

@@ -14,7 +14,7 @@
 
 namespace photic::io {
 
-/// Of the NetcdfReader of such files.
+/// The question that the NetcdfReader of such files asks.
 inline constexpr const char* what_is_wanted = "is it the file you mean?";
 
 /// The name that a function of the library writes to a buffer; "" if it fails. Classic files may
@@ -37,7 +37,7 @@ class NetcdfValues {
   [[nodiscard]] const NetcdfAttributes& attributes() const { return attributes_; }
   [[nodiscard]] nc_type type() const { return type_; }
 
-  // Of each dimension, but for that of the characters of texts.
+  // The names of the dimensions, but for that of the characters of texts.
   [[nodiscard]] const std::vector<std::string>& dimension() const { return dimension_; }
   [[nodiscard]] const std::vector<std::size_t>& length() const { return length_; }
 

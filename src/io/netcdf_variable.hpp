@@ -19,10 +19,11 @@ scene::NetcdfVariable netcdf_variable(const std::string& path, const std::string
 /// A variable of flags or of names: numbers, single characters, or texts, which may be characters
 /// with a dimension more. None where it has NaN, a text of blanks or "nan", or _FillValue or
 /// missing_value, unless that is one of flag_values or, without these, from 1 to 9. Bytes of
-/// flag_masks have no sign. What flags mean is given as the file has it (CF-1.10, section 3.5).
+/// flag_masks have no sign. The meanings of flags are given as the file has them (CF-1.10, section
+/// 3.5).
 scene::NetcdfCodes netcdf_codes(const std::string& path, const std::string& name);
 
-/// All, for those who read scenes. They throw EnvironmentError for a file that cannot be read and
+/// All, for the readers of scenes. They throw EnvironmentError for a file that cannot be read and
 /// InputError for one that is of no use, or so large that it is no such table.
 scene::NetcdfFiles netcdf_files();
 

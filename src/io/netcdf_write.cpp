@@ -132,7 +132,7 @@ void add_axis(NetcdfImage& file, const tally::Axis& axis) {
       {{"long_name", down ? "top and bottom of the interval" : "ends of the interval"}});
 }
 
-/// Of all grids, each once.
+/// Adds the axes of all grids, each once.
 void add_axes_of_grids(NetcdfImage& file, const tally::Result& result) {
   std::set<std::string> known;
   for (const tally::GridEstimates& grid : result.grids)
@@ -140,7 +140,7 @@ void add_axes_of_grids(NetcdfImage& file, const tally::Result& result) {
       if (known.insert(axis.name).second) add_axis(file, axis);
 }
 
-/// What an estimate, its error and its diagnostics share.
+/// The attributes that an estimate, its error and its diagnostics share.
 Attributes dimensionless(const std::string& long_name, const std::string& more_coordinates = "") {
   return {{"long_name", long_name},
           {"units", "1"},
@@ -265,7 +265,7 @@ void add_convergence(NetcdfImage& file, const tally::Result& result) {
                     dimensionless("first order of scattering that was cut off, over the echo"));
 }
 
-/// Nothing if environments set no numbers.
+/// Adds nothing if environments set no numbers.
 void add_environment_values(NetcdfImage& file, const tally::Result& result) {
   if (result.environment_path.empty()) return;
   file.add_dimension("environment_path", result.environment_path.size());
@@ -279,7 +279,7 @@ void add_environment_values(NetcdfImage& file, const tally::Result& result) {
                      {"coordinates", "environment_name environment_path_name"}});
 }
 
-/// Nothing if there are none.
+/// Adds nothing if there are none.
 void add_environments(NetcdfImage& file, const tally::Result& result) {
   if (result.environment_name.empty()) return;
   const std::vector<std::string> dimensions = {"environment", "telescope", "channel", "gate"};
@@ -298,7 +298,7 @@ void add_environments(NetcdfImage& file, const tally::Result& result) {
             more_coordinates);
 }
 
-/// Nothing if there are none.
+/// Adds nothing if there are none.
 void add_sensitivities(NetcdfImage& file, const tally::Result& result) {
   if (result.parameter_name.empty()) return;
   const std::vector<std::string> dimensions = {"parameter", "telescope", "channel", "gate"};

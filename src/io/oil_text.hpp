@@ -1,4 +1,4 @@
-// What an oil does to light, for the terminal and as a table for files.
+// The effect of an oil on light, for the terminal and as a table for files.
 #pragma once
 
 #include <string>

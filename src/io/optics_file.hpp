@@ -9,7 +9,7 @@
 
 namespace photic::io {
 
-/// How a table of optics came to be.
+/// The origin of a table of optics.
 struct OpticsOrigin {
   std::string title;
   std::string scene_toml;  ///< the effective scene; empty: none, for air
@@ -31,7 +31,7 @@ std::string optics_csv(const medium::OpticalTable& table, const OpticsOrigin& or
 void write_optics_csv(const medium::OpticalTable& table, const OpticsOrigin& origin,
                       const std::string& path);
 
-/// What files call edges of layers.
+/// The names that files give to edges of layers.
 struct EdgeNames {
   std::string axis;     ///< "depth", "altitude"
   std::string first_m;  ///< of the edge that a layer begins with: "depth_m", "altitude_m"
@@ -41,9 +41,9 @@ struct EdgeNames {
 };
 EdgeNames edge_names(const medium::OpticalTable& table);
 
-/// What files call a constituent: small letters, digits and underscores. What comes with
-/// phytoplankton is in its absorption, but not in a_phytoplankton_per_m: as in a scene's iop, that
-/// is the share which excites fluorescence.
+/// The name of a constituent in files: small letters, digits and underscores. The absorption that
+/// comes with phytoplankton is in its absorption, but not in a_phytoplankton_per_m: as in a scene's
+/// iop, that is the share which excites fluorescence.
 std::string name_in_files(const std::string& constituent);
 
 /// "raman light: source [status]", one for each source.

@@ -113,7 +113,7 @@ void add_totals(NetcdfImage& file, const OpticalTable& table) {
                      {"coordinates", coordinates + " angle_deg"}});
 }
 
-/// What is said of where the numbers of a constituent come from.
+/// The text on the sources of the numbers of a constituent.
 std::string sources_of(const std::string& part, const OpticalTable& table) {
   std::vector<std::string> lines;
   for (const auto& source : table.sources)

@@ -12,7 +12,7 @@ namespace {
 
 using medium::OpticalTable;
 
-constexpr std::size_t lines_told_each = 3;  ///< of a process; of more only where they lie
+constexpr std::size_t lines_listed_each = 3;  ///< of a process; of more only where they lie
 
 TextColumn wavelengths(const OpticalTable& table) {
   return text_column("nm", table.wavelength_nm, 0, table.wavelengths(), "{:.2f}");
@@ -32,7 +32,7 @@ std::string totals(const OpticalTable& table, std::size_t layer) {
        of("b_b/b", table.backscatter_fraction, "{:.5f}"), of("g", table.mean_cosine, ratio)});
 }
 
-/// Nothing if they are not known.
+/// Empty if they are not known.
 std::string parts(const OpticalTable& table, std::size_t layer) {
   const std::size_t count = table.wavelengths(), first = layer * count;
   std::vector<TextColumn> columns = {wavelengths(table)};
@@ -54,7 +54,7 @@ std::string emission_line(const OpticalTable::Emission& emission, std::size_t la
   if (coefficient == 0) return fmt::format("    {}: nothing\n", emission.process);
   const auto& nm = emission.wavelength_nm;
   std::string out = fmt::format("    {}: {:.4g} 1/m at ", emission.process, coefficient);
-  if (nm.size() > lines_told_each)
+  if (nm.size() > lines_listed_each)
     return out +
            fmt::format("{:.2f} to {:.2f} nm, in {} lines\n", nm.front(), nm.back(), nm.size());
   for (std::size_t i = 0; i < nm.size(); ++i)

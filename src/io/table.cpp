@@ -83,7 +83,7 @@ std::string tables(const tally::Result& result, const std::vector<EchoRow>& rows
   return out;
 }
 
-/// Of one telescope: "elastic 45 of 100 gates, raman 94".
+/// The counts of one telescope: "elastic 45 of 100 gates, raman 94".
 std::string converged_counts(const tally::Result& result, const std::vector<EchoRow>& rows,
                              std::size_t telescope) {
   const auto gates = static_cast<std::ptrdiff_t>(result.gates());

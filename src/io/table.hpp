@@ -8,7 +8,7 @@
 
 namespace photic::io {
 
-/// How much of a result a table shows.
+/// The part of a result that a table shows.
 struct TableLayout {
   std::size_t max_rows = 26;  ///< above 0; of more gates every second, third … is shown
   std::size_t width = 100;    ///< of lines, in columns; at least 40 are used
@@ -20,7 +20,7 @@ struct TableLayout {
 /// (io/columns_table.hpp), the summary. Ends with a newline.
 std::string echo_table(const tally::Result& result, const TableLayout& layout = {});
 
-/// How many gates converged, what the run took and was made by, why it stopped, warnings.
+/// The number of gates that converged, what the run took and was made by, why it stopped, warnings.
 std::string run_summary(const tally::Result& result, std::size_t width);
 
 }  // namespace photic::io

@@ -12,7 +12,7 @@
 namespace photic::io {
 namespace {
 
-/// Where to cut a word that is too long: after a dot if it has one there, as paths do.
+/// The place to cut a word that is too long: after a dot if it has one there, as paths do.
 std::size_t end_of_line(const std::string& word, std::size_t width) {
   const std::size_t end = first_letters(word, width).size();
   const std::size_t dot = word.rfind('.', end - 1);

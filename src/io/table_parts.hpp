@@ -1,4 +1,4 @@
-// What the tables for the terminal are made of.
+// The parts that the tables for the terminal are made of.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@ std::string trimmed(const std::string& text);
 /// Without ends of lines, for the head of a CSV file.
 std::string one_line(std::string text);
 
-/// What the place of a gate is called: "depth [m]", "range [m]", or "time [ns]" where the telescope
-/// has none.
+/// The heading of the column of places: "depth [m]", "range [m]", or "time [ns]" where the
+/// telescope has none.
 std::string place_heading(const tally::Result& result, double depth_m);
 
-/// Where every `step`-th gate lies, from the row of the first on: `place_width` columns.
+/// The place of every `step`-th gate, from the row of the first on: `place_width` columns.
 inline constexpr std::size_t place_width = 9;
 TextColumn place_column(const tally::Result& result, const EchoRow& first, std::size_t gates,
                         std::size_t step);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double metre_per_km = 1e3;
 constexpr std::size_t max_levels = 1000;
-/// Where LOWTRAN 7's boundary layer ends.
+/// The end of LOWTRAN 7's boundary layer.
 constexpr double boundary_layer_km = 2;
 
 /// Optical depth of each layer.
@@ -129,7 +129,7 @@ Air AirBuilder::operator()(const scene::Scene& scene) const {
   for (const Line& line : lines_) {
     const bool is_laser = &line == &lines_.front();
     const double nm = line.wavelength_nm;
-    const auto here = at(scene, nm, is_laser ? optics::Phases::told : optics::Phases::left_out);
+    const auto here = at(scene, nm, is_laser ? optics::Phases::wanted : optics::Phases::left_out);
     for (const optics::AirLayer& layer : here.layers) {
       air.a.push_back(layer.a_per_m());
       air.b.push_back(layer.b_per_m());
@@ -201,7 +201,7 @@ std::optional<Air> build_air(const scene::Scene& scene, const std::vector<Line>&
   return AirBuilder(scene, lines)(scene);
 }
 
-std::vector<std::string> air_told(const scene::Scene& scene, const Air& air) {
+std::vector<std::string> reported_air(const scene::Scene& scene, const Air& air) {
   const scene::Atmosphere& of = *scene.atmosphere;
   const double nm = scene.source.wavelength_nm, top_km = air.height_m.back() / metre_per_km;
   std::string what = "of the scene's own";

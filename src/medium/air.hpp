@@ -28,12 +28,12 @@ struct Air {
   std::vector<double> refractive_index, group_index;          ///< [line][layer]
   std::vector<std::vector<optics::AirScatterer>> scatterers;  ///< in the laser's line, [layer]
   std::vector<Source> sources;
-  std::optional<AirDepths> depths;  ///< none in layers told outright
+  std::optional<AirDepths> depths;  ///< none in layers given outright
 
   [[nodiscard]] std::size_t layers() const { return height_m.size() - 1; }
-  /// Of all scattering in a layer, of the laser's line.
+  /// The phase function of all scattering in a layer, of the laser's line.
   [[nodiscard]] optics::PhaseTable phase(std::size_t layer) const;
-  /// Of a line's light, from the sea straight up to the top.
+  /// The optical depth for a line's light, from the sea straight up to the top.
   [[nodiscard]] double optical_depth(std::size_t line) const;
 };
 
@@ -48,10 +48,10 @@ class AirBuilder {
   /// Throws EnvironmentError for data that are missing or damaged.
   AirBuilder(const scene::Scene& scene, const std::vector<Line>& lines);
 
-  /// Of the scene, or of it in an environment; there must be an [atmosphere]. Throws InputError for
-  /// what check_medium (medium/check.hpp) finds.
+  /// Returns the air of the scene, or of the scene in an environment; there must be an
+  /// [atmosphere]. Throws InputError for what check_medium (medium/check.hpp) finds.
   [[nodiscard]] Air operator()(const scene::Scene& scene) const;
-  /// Its layers at a wavelength. Of layers that are told outright the aerosols stand for all there
+  /// Its layers at a wavelength. In layers that are given outright the aerosols stand for all there
   /// is. Throws the same.
   [[nodiscard]] optics::AirOptics at(const scene::Scene& scene, double wavelength_nm,
                                      optics::Phases phases) const;
@@ -63,16 +63,16 @@ class AirBuilder {
   const std::vector<Line>& lines_;
   std::optional<optics::AirLibrary> of_air_;    ///< of a profile
   std::vector<std::vector<double>> halved_km_;  ///< edges that its layers are halved by in turn
-  std::optional<optics::Library> library_;      ///< of layers that are told outright
+  std::optional<optics::Library> library_;      ///< of layers that are given outright
 };
 
 /// None without an [atmosphere]. Throws as AirBuilder does.
 std::optional<Air> build_air(const scene::Scene& scene, const std::vector<Line>& lines);
 
-/// What `photic show` tells of the air.
-std::vector<std::string> air_told(const scene::Scene& scene, const Air& air);
+/// The lines of `photic show` about the air.
+std::vector<std::string> reported_air(const scene::Scene& scene, const Air& air);
 
-// What the check of a scene asks for one by one:
+// For the check of a scene, which asks for each by itself:
 
 /// The profile of a scene that has one, with its aerosols. Throws InputError where it is of no use.
 optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::AirLibrary& library);
@@ -80,7 +80,7 @@ optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::Air
 /// Remarks on levels of a scene that are possible, but more likely in another unit.
 std::vector<std::string> doubts_about_levels(const scene::Atmosphere& air);
 
-/// What of it is below the top of the air. Throws InputError if it does not reach it.
+/// The part of it below the top of the air. Throws InputError if it does not reach it.
 optics::AirProfile profile_to_top(const scene::Atmosphere& air, const optics::AirProfile& whole);
 
 /// The profile below the top, with as much aerosol as the scene's optical depth has, if it gives
@@ -91,10 +91,10 @@ optics::AirProfile as_deep_as_given(const scene::Atmosphere& air, optics::AirPro
 /// InputError for wavelengths without data, and where it is less than up to a lower rung.
 std::vector<double> gas_depths(const scene::Atmosphere& air, double wavelength_nm);
 
-/// Whose aerosols are where.
+/// The choice of aerosols by altitude.
 optics::AerosolChoice aerosols_of(const scene::Atmosphere& air);
 
-/// A layer told outright as a layer of water, for LayerOptics.
+/// A layer given outright as a layer of water, for LayerOptics.
 scene::Layer as_layer(const scene::AirLayer& layer);
 
 }  // namespace photic::medium

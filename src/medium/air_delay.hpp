@@ -7,8 +7,8 @@
 
 namespace photic::medium {
 
-/// Of a line, from the sea straight up to the edges of the air's layers [m]; no edges where the air
-/// is clear.
+/// The delay of a line, from the sea straight up to the edges of the air's layers [m]; no edges
+/// where the air is clear.
 struct AirDelay {
   std::vector<double> height_m, delay_m;  ///< the first is 0
 

@@ -30,16 +30,16 @@ double phase_value(const optics::PhaseShape& phase, double angle_deg) {
 /// Writes the layers of one wavelength to their places in the table.
 class Filler {
  public:
-  /// Of layers that are told outright nobody knows the parts.
-  Filler(OpticalTable& table, bool told_outright, bool gases)
-      : table_(table), layers_(table.layers()), told_outright_(told_outright) {
+  /// The parts of layers that are given outright are not known.
+  Filler(OpticalTable& table, bool given_outright, bool gases)
+      : table_(table), layers_(table.layers()), given_outright_(given_outright) {
     const std::size_t count = layers_ * table.wavelengths();
     for (auto* values : {&table.a_per_m, &table.b_per_m, &table.backscatter_fraction,
                          &table.mean_cosine, &table.refractive_index})
       values->resize(count);
     table.phase_function_per_sr.resize(count * table.angles());
     const std::vector<double> none(count);
-    if (told_outright) return;
+    if (given_outright) return;
     table.parts = {
         {"molecules", {}, none, {}}, {"ozone", none, {}, {}}, {"aerosols", none, none, {}}};
     if (gases) table.parts.push_back({"gases", none, {}, {}});
@@ -49,7 +49,7 @@ class Filler {
     for (std::size_t k = 0; k < layers_; ++k)
       add(air.layers[k], k * table_.wavelengths() + wavelength);
     const double nm = table_.wavelength_nm[wavelength];
-    if (told_outright_)
+    if (given_outright_)
       return add_source("a and b of the air", air.profile_source, nm, table_.sources);
     add_source("profile of the air", air.profile_source, nm, table_.sources);
     add_source("b of molecules", air.molecules_source, nm, table_.sources);
@@ -64,7 +64,7 @@ class Filler {
     table_.a_per_m[at] = layer.a_per_m();
     table_.b_per_m[at] = layer.b_per_m();
     table_.refractive_index[at] = layer.refractive_index;
-    if (!told_outright_) {
+    if (!given_outright_) {
       table_.parts[0].b_per_m[at] = layer.molecules_b_per_m;
       table_.parts[1].a_per_m[at] = layer.ozone_a_per_m;
       table_.parts[2].a_per_m[at] = layer.aerosols_a_per_m;
@@ -81,7 +81,7 @@ class Filler {
 
   OpticalTable& table_;
   std::size_t layers_;
-  bool told_outright_;
+  bool given_outright_;
 };
 
 /// An empty table of layers between altitudes.
@@ -119,7 +119,7 @@ OpticalTable air_table(const scene::Scene& scene, const std::vector<double>& wav
   OpticalTable table = empty_table(build(scene).height_m, wavelength_nm);
   Filler filler(table, !scene.atmosphere->layer.empty(), !scene.atmosphere->gases.empty());
   for (std::size_t w = 0; w < wavelength_nm.size(); ++w)
-    filler.add(build.at(scene, wavelength_nm[w], optics::Phases::told), w);
+    filler.add(build.at(scene, wavelength_nm[w], optics::Phases::wanted), w);
   return table;
 }
 

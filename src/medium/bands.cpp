@@ -8,7 +8,8 @@ namespace {
 
 constexpr double max_apart_nm = 5;
 
-/// Where the spectrum is cut: at the ends, at filters, and between so that no piece is too long.
+/// The places where the spectrum is cut: at the ends, at filters, and between so that no piece is
+/// too long.
 std::vector<double> cuts_of(const optics::EmissionSpectrum& spectrum,
                             const std::vector<std::optional<Filter>>& filters) {
   std::vector<double> given{spectrum.min_nm(), spectrum.max_nm()};

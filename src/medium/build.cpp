@@ -17,7 +17,8 @@
 namespace photic::medium {
 namespace {
 
-/// Of the lobe in which walks look for the laser's beam: as wide as light spreads in it.
+/// The asymmetry of the lobe in which walks look for the laser's beam: as wide as light spreads in
+/// it.
 constexpr double beam_lobe_g = 0.9;
 
 std::int32_t conversion_phase(Medium& medium, Process process, const optics::Library& library) {
@@ -78,7 +79,7 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
                  medium.sources);
   if (scene.bottom)
     for (const Line& line : medium.line)
-      add_source("albedo of the sea bed", scene::albedo_told(*scene.bottom), line.wavelength_nm,
+      add_source("albedo of the sea bed", scene::reported_albedo(*scene.bottom), line.wavelength_nm,
                  medium.sources);
   for (std::size_t l = 0; l < medium.line.size(); ++l) {
     add_line_tables(scene, optics_of, light.lines, l, medium);

@@ -10,7 +10,7 @@ namespace photic::medium {
 
 /// The sea of a scene at the laser's wavelength and at those of the inelastic processes that a
 /// channel of the scene counts. Throws InputError for what check_medium (medium/check.hpp) finds,
-/// which tells more: all of it, and where.
+/// which reports more: all of it, and where.
 Medium build_medium(const scene::Scene& scene, const optics::Library& library);
 
 }  // namespace photic::medium

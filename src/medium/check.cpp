@@ -22,7 +22,8 @@ using scene::below;
 
 std::string layer_path(std::size_t k) { return below("sea.layer", k); }
 
-/// A wavelength that light has: where the scene asks for it, and why, as told there and elsewhere.
+/// A wavelength that light has: where the scene asks for it, and why, as stated there and
+/// elsewhere.
 struct Wavelength {
   double nm;
   std::string path, why_here, why_there;
@@ -45,7 +46,7 @@ class Checker {
 
   void check_tables();
   void check_light();
-  /// Of the laser's light in any layer, once that is checked.
+  /// The highest albedo for the laser's light in any layer, once that is checked.
   [[nodiscard]] double highest_albedo() const { return highest_albedo_; }
 
  private:
@@ -71,18 +72,18 @@ class Checker {
   [[nodiscard]] Wavelength asked_by_channel(const EmittedLine& line) const;
   void remark_dark_channels(const std::vector<EmittedLine>& lines);
 
-  /// What an action gives; none if it refuses, which is told at `path`.
+  /// Returns the result of an action; none if it refuses, which is reported at `path`.
   template <class Action>
   auto ask(const std::string& path, const Action& action, const std::string& why = "")
       -> std::optional<decltype(action())> {
     try {
       return action();
     } catch (const InputError& error) {
-      for (const Diagnostic& d : error.diagnostics()) tell(path, d, why);
+      for (const Diagnostic& d : error.diagnostics()) report(path, d, why);
       return std::nullopt;
     }
   }
-  void tell(const std::string& path, const Diagnostic& d, const std::string& why);
+  void report(const std::string& path, const Diagnostic& d, const std::string& why);
 
   scene::Scene scene_;  ///< without the channels that are bad
   std::vector<std::string> channel_path_;
@@ -94,17 +95,17 @@ class Checker {
   const optics::Library& library_;
   scene::Findings& findings_;
   LayerOptics optics_of_;
-  std::set<std::string> told_;
+  std::set<std::string> reported_;
   double highest_albedo_ = 0;
 };
 
 /// A problem of a line of another file keeps its place. Several layers may have the same problem.
-void Checker::tell(const std::string& path, const Diagnostic& d, const std::string& why) {
+void Checker::report(const std::string& path, const Diagnostic& d, const std::string& why) {
   const bool elsewhere = d.line > 0;
   const bool named = elsewhere || d.file.empty() || d.file == findings_.place_of(path).file;
   const std::string reason =
       (named ? "" : d.file + " ") + d.reason + (why.empty() ? "" : "; " + why);
-  if (!told_.insert((elsewhere ? d.text() : path) + reason).second) return;
+  if (!reported_.insert((elsewhere ? d.text() : path) + reason).second) return;
   if (elsewhere)
     findings_.add(path, {d.file, d.line, d.column}, reason, d.suggestion);
   else
@@ -142,7 +143,7 @@ void Checker::check_phase_function(const scene::PhaseFunction& function, const s
   }
 }
 
-/// The one model that depends on the wavelength; what its index lacks has been told.
+/// The one model that depends on the wavelength; what its index lacks has been reported.
 void Checker::check_spheres(const scene::PhaseFunction& function, const std::string& path,
                             const Wavelength& light) {
   for (std::size_t i = 0; i < function.components.size(); ++i)
@@ -175,7 +176,7 @@ void Checker::check_index(Process process, const Wavelength& light) {
         light.path, [&] { return make_line(scene_.sea, process, light.nm); }, light.why_here);
 }
 
-/// Whether its albedo is known, and no environment's reflects where the scene's does not.
+/// Checks that its albedo is known, and no environment's reflects where the scene's does not.
 void Checker::check_bed(const Wavelength& light) {
   const auto& bed = scene_.bottom;
   const auto known = [&] { return !bed || albedo_of(*bed, light.nm, 0) >= 0; };
@@ -186,7 +187,7 @@ void Checker::check_bed(const Wavelength& light) {
     const std::string set = below(below("environment", i), "set");
     const auto lit = [&] { return angle_lit_by_one_alone(environment.bottom, bed, light.nm); };
     const auto deg = ask(set, lit, light.why_there);
-    if (!deg || !*deg || !told_.insert("bed of " + set).second) continue;
+    if (!deg || !*deg || !reported_.insert("bed of " + set).second) continue;
     const auto change = std::ranges::find_if(
         environment.set, [](const auto& c) { return c.path.starts_with("bottom."); });
     findings_.add(set, findings_.place_in(set, change == environment.set.end() ? "" : change->path),
@@ -205,7 +206,7 @@ void Checker::check_whitecaps(const Wavelength& light) {
       [&] { return whitecap_reflectance_of(surface, library_, light.nm); }, light.why_there);
 }
 
-/// What stands for what nobody has told yet.
+/// Remarks on the properties that are still placeholders.
 void Checker::remark_placeholders() {
   std::vector<std::string> items;
   for (const auto& property : oil_->properties)
@@ -216,7 +217,7 @@ void Checker::remark_placeholders() {
                                              oil_->name, fmt::join(items, ", ")));
 }
 
-/// What is wrong with the air at any wavelength.
+/// Reads the air, and reports what is wrong with it at any wavelength.
 void Checker::read_air() {
   const std::string profile = "atmosphere.profile", aerosol = "atmosphere.aerosol";
   if (!findings_.good({"atmosphere"})) return;
@@ -238,7 +239,7 @@ void Checker::read_air() {
   if (known) air_profile_ = deep;
 }
 
-/// What is wrong with layers is told of the layer, with a profile of the wavelength.
+/// The problems of layers are reported at the layer, with a profile of the wavelength.
 void Checker::check_air(const Wavelength& light) {
   if (!scene_.atmosphere) return;
   if (!scene_.atmosphere->layer.empty()) return check_air_layers(light);
@@ -346,10 +347,10 @@ void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>
     const auto lines = ask("channel", [&] { return oil_lines(scene_, *oil_); });
     if (lines) light->lines.insert(light->lines.end(), lines->begin(), lines->end());
   }
-  std::optional<Process> told;  // of a process's light one wavelength is enough
+  std::optional<Process> reported;  // of a process's light one wavelength is enough
   for (const EmittedLine& line : light->lines) {
-    if (told == line.process) continue;
-    const std::size_t before = told_.size();
+    if (reported == line.process) continue;
+    const std::size_t before = reported_.size();
     const Wavelength asked = asked_by_channel(line);
     check_index(line.process, asked);
     check_bed(asked);
@@ -357,7 +358,7 @@ void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>
     check_film(asked);
     check_air(asked);
     check_layers(asked);
-    if (told_.size() > before) told = line.process;
+    if (reported_.size() > before) reported = line.process;
   }
   for (std::size_t k = 0; k < at_laser.size(); ++k) {
     const std::string yield = below(layer_path(k), "chlorophyll_yield");
@@ -380,7 +381,7 @@ void Checker::check_light() {
   const auto at_laser = check_layers(laser);
   for (const auto& water : at_laser)
     if (water) highest_albedo_ = std::max(highest_albedo_, water->albedo());
-  // A laser's wavelength that is of no use tells nothing of the inelastic light either.
+  // A laser's wavelength that is of no use does not settle the inelastic light either.
   if (findings_.good({path, "optics"})) check_inelastic_light(at_laser);
 }
 

@@ -1,4 +1,4 @@
-// What the optics find wrong with a scene, each problem at its place in the scene file.
+// The problems that the optics find in a scene, each at its place in the scene file.
 #pragma once
 
 #include "optics/library.hpp"
@@ -9,7 +9,7 @@ namespace photic::medium {
 
 /// Asks for all that build_medium would ask for, and adds what is refused to the findings: a
 /// wavelength without data, optical properties that do not reach it, a table of no use. Looks only
-/// at values with which nothing is wrong yet. What it accepts build_medium accepts.
+/// at values with which nothing is wrong yet. A scene that it accepts is accepted by build_medium.
 /// Returns the highest albedo, b / c, of the laser's light in any layer; 0 if none is known.
 double check_medium(const scene::Scene& scene, const optics::Library& library,
                     scene::Findings& findings);

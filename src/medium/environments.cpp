@@ -21,7 +21,7 @@ class PhaseTables {
  public:
   explicit PhaseTables(Medium& medium) : medium_(medium) {}
 
-  /// Of a part of a layer's scattering at a wavelength.
+  /// The number of a part of a layer's scattering at a wavelength.
   std::int32_t number(const scene::Scene& scene, const scene::Layer& layer,
                       const WaterOptics& water, double wavelength_nm, const ScatteringPart& part) {
     Key key{layer.phase_function, water.backscatter_fraction, scene.optics, wavelength_nm, part.of};

@@ -1,5 +1,5 @@
-// What other waters, the environments, do to the weights of paths that were drawn in the medium
-// (docs/theory.md, "Environments").
+// The effect of other waters, the environments, on the weights of paths that were drawn in the
+// medium (docs/theory.md, "Environments").
 #pragma once
 
 #include "medium/medium.hpp"

@@ -93,7 +93,8 @@ double going_on(const LinesOfFilm& film, std::size_t l, double n, std::int32_t w
 }
 
 /// Appends how much less goes on in one film than in another, as an optical depth, times a scale:
-/// [way][line][angle]. Where no light goes on it is as at the nearest angle where some does.
+/// [way][line][angle]. Angles at which no light goes on have the value of the nearest angle where
+/// some does.
 void add_crossings(const LinesOfFilm& from, const LinesOfFilm& to, double scale,
                    const Medium& medium, std::vector<double>& out) {
   constexpr double least = 1e-300;

@@ -23,19 +23,19 @@ std::vector<EmittedLine> oil_lines(const scene::Scene& scene, const optics::Oil&
 /// Fills in the medium's film, at its lines. Throws InputError for a wavelength without data.
 void add_film(const scene::Scene& scene, const optics::Oil& oil, Medium& medium);
 
-/// What a flat film takes of light that comes down along the laser's axis, and goes up along a
+/// The loss in a flat film of light that comes down along the laser's axis, and goes up along a
 /// telescope's as light that a channel counts.
 struct FilmBothWays {
   double attenuation_per_m = 0;  ///< absorption along both ways, per thickness
-  double interface_ratio = 1;    ///< what passes a clear film, of what passes bare water
+  double interface_ratio = 1;    ///< transmission of a clear film over that of bare water
 };
 /// NaN where an instrument is in the water, or looks along the surface.
 FilmBothWays film_both_ways(const scene::Scene& scene, const Medium& medium, std::size_t telescope,
                             std::size_t channel);
 
 /// Fills in the films of a scene's environments and derivatives, if some differ from the medium's
-/// own, which has to be filled in before. Throws InputError where the scene's histories cannot tell
-/// of them.
+/// own, which has to be filled in before. Throws InputError where the scene's histories do not
+/// cover them.
 void add_films_of_environments(const scene::Scene& scene, const optics::Library& library,
                                Medium& medium);
 

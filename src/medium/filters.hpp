@@ -1,4 +1,4 @@
-// What the filters of channels let through.
+// The light that the filters of channels let through.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ struct Filter {
 /// is of no use.
 std::optional<Filter> filter_of(const scene::Channel& channel);
 
-/// Of all channels of a scene, in their order.
+/// The filters of all channels of a scene, in their order.
 std::vector<std::optional<Filter>> filters_of(const scene::Scene& scene);
 
 }  // namespace photic::medium

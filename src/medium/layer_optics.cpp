@@ -158,7 +158,7 @@ WaterOptics LayerOptics::of_constituents(const scene::Layer& layer, double wavel
   return water;
 }
 
-/// What is scattered beyond what water scatters, particles scatter.
+/// Particles scatter all that the water itself does not.
 WaterOptics LayerOptics::of_jerlov_type(const scene::Layer& layer, double wavelength_nm) const {
   const auto all = optics::jerlov_water(*library_, layer.jerlov, wavelength_nm);
   WaterOptics water;

@@ -15,7 +15,8 @@
 
 namespace photic::medium {
 
-/// What one model or table says of one constituent of the water; several may speak of the same.
+/// The values of one model or table for one constituent of the water; several may speak of the
+/// same.
 struct Contribution {
   std::string name;  ///< "water", "phytoplankton", "CDOM", "minerals"; "" in an iop layer and in
                      ///< one of Jerlov's types: it is all of them
@@ -30,16 +31,16 @@ struct WaterOptics {
   double a_cdom_per_m = 0;      ///< the share of a that excites CDOM fluorescence
   double b_molecular_per_m =
       0;  ///< the share of b by the water itself (0 in an iop layer: it is not known apart)
-  double b_phytoplankton_per_m = 0;  ///< what phytoplankton adds to b; of one of Jerlov's types,
+  double b_phytoplankton_per_m = 0;  ///< phytoplankton's part of b; of one of Jerlov's types,
                                      ///< all particles
-  double b_minerals_per_m = 0;       ///< what minerals add to b
-  std::optional<double> backscatter_fraction;  ///< b_b/b, which tells an iop layer's phase function
+  double b_minerals_per_m = 0;       ///< minerals' part of b
+  std::optional<double> backscatter_fraction;  ///< b_b/b, which sets an iop layer's phase function
   std::vector<Contribution> contributions;     ///< which a and b are the sums of
 
   [[nodiscard]] double albedo() const { return b_per_m / (a_per_m + b_per_m); }
 };
 
-/// What has one phase function.
+/// The scatterers that have a phase function each.
 enum class Scatterer { all, water, phytoplankton, minerals };
 
 /// A part of the scattering.
@@ -56,7 +57,7 @@ class LayerOptics {
   /// All below throw InputError where there are no data for the wavelength.
   WaterOptics operator()(const scene::Layer& layer, double wavelength_nm) const;
 
-  /// What a layer of constituents is made of.
+  /// The parts of a layer of constituents.
   [[nodiscard]] optics::Sourced water_absorption(const scene::Layer& layer,
                                                  double wavelength_nm) const;
   [[nodiscard]] optics::Sourced water_scattering(const scene::Layer& layer,
@@ -65,7 +66,7 @@ class LayerOptics {
                                                     double wavelength_nm) const;
   [[nodiscard]] optics::Minerals minerals(const scene::Layer& layer, double wavelength_nm) const;
 
-  /// Of what the scattering in the layer is made up, water first.
+  /// The parts of the scattering in the layer, water first.
   [[nodiscard]] std::vector<ScatteringPart> scattering(const scene::Layer& layer,
                                                        double wavelength_nm,
                                                        const WaterOptics& water) const;
@@ -84,7 +85,7 @@ class LayerOptics {
                                         double wavelength_nm) const;
   [[nodiscard]] optics::PhaseShape mixed(const scene::PhaseFunction& mixture,
                                          double wavelength_nm) const;
-  /// Of particles, by the model that the scene names for them.
+  /// The phase function of particles, by the model that the scene names for them.
   [[nodiscard]] optics::PhaseShape phase_of_particles(scene::ParticlePhase model,
                                                       const optics::SeaParticles& particles,
                                                       double ff_index, double ff_slope,

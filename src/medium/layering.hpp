@@ -23,9 +23,9 @@ struct LayeringView {
   std::int32_t max_edges = 0;  ///< inner ones, in any cell
 
   /// The layer in which a coordinate lies (the first or the last if in none); on an edge it is
-  /// `from`, if that is one of the two, else the upper one. Of the edges in its cell quarters are
-  /// tried, for among many lanes one always has far to go; the three of a step do not wait for each
-  /// other.
+  /// `from`, if that is one of the two, else the upper one. The edges in its cell are tried by
+  /// quarters, for among many lanes one always has far to go; the three of a step do not wait for
+  /// each other.
   template <class T>
   [[nodiscard]] Index<T> layer_of(const Index<T>& row, const Index<T>& from,
                                   const T& coordinate) const {
@@ -50,7 +50,7 @@ struct LayeringView {
   }
 
  private:
-  /// That holds a coordinate; the first, if it is not a number.
+  /// The cell that holds a coordinate; the first, if it is not a number.
   template <class T>
   [[nodiscard]] Index<T> cell(const Index<T>& row, const T& coordinate) const {
     const T place = coordinate * gather<T>(cells_per_unit, row);
@@ -63,7 +63,7 @@ struct LayeringView {
 class Layering {
  public:
   Layering() = default;
-  /// Of some layers' edges, which ascend in each row: [row][layers + 1].
+  /// Takes some layers' edges, which ascend in each row: [row][layers + 1].
   Layering(std::span<const double> edges, std::int32_t layers);
 
   [[nodiscard]] LayeringView view(const ShortTable& edge) const;

@@ -64,11 +64,12 @@ struct EmittedLight {
 EmittedLight emitted_light(const scene::Scene& scene, const optics::Library& library,
                            const std::vector<WaterOptics>& at_laser);
 
-/// What the scene says of how CDOM fluoresces. Throws InputError for a table that is of no use.
+/// The fluorescence of CDOM according to the scene. Throws InputError for a table that is of no
+/// use.
 optics::Emission cdom_emission(const scene::Scene& scene, const optics::Library& library);
 
-/// What a layer emits into all lines [1/m]. Throws InputError if it absorbs less of the laser's
-/// light.
+/// The emission of a layer into all lines [1/m]. Throws InputError if it absorbs less of the
+/// laser's light.
 double emitted_per_m(const std::vector<EmittedLine>& lines, const scene::Scene& scene,
                      std::size_t layer, double a_per_m);
 

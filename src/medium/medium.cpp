@@ -90,7 +90,7 @@ std::vector<double> Medium::environment_rows() const {
   const auto count = static_cast<std::size_t>(environments.count);
   const auto stride = static_cast<std::size_t>(padded(environments.count));
   std::vector<double> out;
-  /// Of a table [environment][row].
+  /// Adds the rows of a table [environment][row].
   const auto add_rows = [&](const std::vector<double>& table) {
     const std::size_t rows = count > 0 ? table.size() / count : 0;
     for (std::size_t row = 0; row < rows; ++row) {

@@ -26,9 +26,9 @@ namespace photic::medium {
 
 using scene::Process;
 
-/// What a walk sees of the environments: other waters, whose echoes are those of the same paths
-/// with other weights. What light meets in them more or less than in the medium stands in rows of
-/// one number for each.
+/// The environments as a walk sees them: other waters, whose echoes are those of the same paths
+/// with other weights. The excess or lack of what light meets in them against the medium stands in
+/// rows of one number for each.
 ///
 /// Behind the environments stand tangents, one for each parameter p that derivatives are asked for:
 /// for them a path's weight is 1 + p d ln(weight) / dp times what it is in the medium, and their
@@ -44,7 +44,8 @@ struct EnvironmentsView {
   bool other_film = false;     ///< some have another film of oil
   bool other_surface = false;  ///< facets or whitecaps that light meets count: one of both
   bool other_air = false;      ///< some have another air between the sea and instruments
-  /// What walks meet at the surface, or on their way there from the instrument, counts.
+  /// True if the encounters of walks at the surface, or on their way there from the instrument,
+  /// count.
   [[nodiscard]] bool other_entry() const { return other_surface || other_air; }
   std::int32_t first_air = 0, first_film = 0, first_emission = 0;
   Table number;           ///< [row][environment]
@@ -67,8 +68,8 @@ Index<T> spectral_bin_of(const T& u) {
 /// An albedo of the sea bed that depends on the angle is known at the ends of so many steps.
 inline constexpr std::int32_t bed_angle_steps = 256;
 
-/// What a film of an environment lets pass and reflects is known at the ends of so many even steps
-/// of sqrt(1 - cos).
+/// The even steps of sqrt(1 - cos) at whose ends the transmission and reflection of an
+/// environment's film are known.
 inline constexpr std::int32_t film_angle_steps = 128;
 
 /// A depth [m] in a layer.
@@ -76,7 +77,7 @@ template <class T>
 struct Level {
   Index<T> layer{};
   T depth{};
-  T below_top{};  ///< how far below the layer's upper edge
+  T below_top{};  ///< depth below the layer's upper edge
 };
 
 /// A coefficient at a level [1/m], and its integral from the surface straight down to there.
@@ -85,10 +86,10 @@ struct Column {
   T coefficient{}, integral{};
 };
 
-/// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
+/// A Medium as a walk sees it. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
   std::int32_t layers = 0, lines = 0, bands = 0;
-  std::int32_t places = 0;      ///< where light is scattered: the layers, and a bed that reflects
+  std::int32_t places = 0;      ///< places of scattering: the layers, and a bed that reflects
   std::int32_t bed_angles = 0;  ///< 0: the sea bed is black
   bool upside_down = false;     ///< it is the air above the sea, whose heights are depths here
   ShortTable bed_albedo;        ///< [line][bed_angles], see surface/lambert.hpp
@@ -102,7 +103,7 @@ struct MediumView {
                            ///< share of spectral_bins that may, [line][layer]
   ShortTable absorption;   ///< share of a collision that ends the photon, [line][layer]
   IndexTable convertible;  ///< the bands that a layer emits in, [layer][bands]
-  IndexTable convertible_count;  ///< how many they are, [layer]
+  IndexTable convertible_count;  ///< their number, [layer]
   IndexTable
       line_of_spectral_bin;     ///< the line of a band that a photon emits in, [band][spectral_bin]
   ShortTable index;             ///< refractive index against air, [line]
@@ -173,7 +174,7 @@ struct MediumView {
     const T depths = from.depth + to.depth;
     return all * length / select(depths > T(0), depths, T(1));
   }
-  /// What a metre of a way in a layer counts as [m].
+  /// The length that a metre of a way in a layer counts as [m].
   template <class T>
   T path_per_metre(const Index<T>& line, const Index<T>& layer) const {
     const T of_line = gather<T>(group_index, line);
@@ -181,7 +182,7 @@ struct MediumView {
       return of_line;
     return of_line + gather<T>(delay.first, at(line, layer));
   }
-  /// What a straight way of the given length between two levels counts as [m].
+  /// The length that a straight way of the given length between two levels counts as [m].
   template <class T>
   T group_path(const Index<T>& line, const Level<T>& from, const Level<T>& to,
                const T& length) const {
@@ -220,11 +221,11 @@ struct MediumView {
   I excess_bed(const I& line, const I& angle) const {
     return I(environments.first_bed) + line * I(bed_angles) + angle;
   }
-  /// How much deeper the air is straight up from the sea to an instrument: 0 is the laser.
+  /// The excess depth of the air straight up from the sea to an instrument: 0 is the laser.
   [[nodiscard]] std::int32_t excess_air(std::size_t instrument) const {
     return environments.first_air + static_cast<std::int32_t>(instrument) * lines;
   }
-  /// How much less light goes on at a film by a way (surface/film_crossing.hpp), as an optical
+  /// The loss of light that goes on at a film by a way (surface/film_crossing.hpp), as an optical
   /// depth, at the end of a step.
   template <class I>
   I film_row(const I& way, const I& line, const I& step) const {
@@ -279,14 +280,14 @@ struct EnvironmentTables {
       excess_bed,                ///< the bed's albedo less the medium's, [environment][line][angle]
       excess_part;  ///< a part's scattering less the medium's, over all scattering of the medium,
                     ///< [environment][line][layer][part]
-  /// Of films that differ from the medium's, or none if all are as that: as an optical depth, how
-  /// much less light goes on, [environment][way][line][angle]; and two films and what their
+  /// The films that differ from the medium's, or none if all are as that: the loss of light that
+  /// goes on, as an optical depth, [environment][way][line][angle]; and two films and what their
   /// difference counts, [environment][row]: each has the optical thickness of each line, and its
   /// yield over the medium's.
   std::vector<double> film, film_emission;
   std::vector<double> surface;  ///< [environment][row], see SurfaceRow; none: all as the medium's
-  /// How much deeper the air is from the sea to instruments, [environment][instrument][line]; none:
-  /// clear, or as the scene's in all.
+  /// The excess depth of the air from the sea to instruments, [environment][instrument][line];
+  /// none: clear, or as the scene's in all.
   std::vector<double> excess_air;
   std::vector<std::int32_t> part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
@@ -313,14 +314,14 @@ class Medium {
   std::vector<double> top, c, albedo, conversion, absorption;
   std::vector<double> delay;  ///< of the air upside down: its group index less 1; else none
   std::vector<std::int32_t> elastic_phase, conversion_phase;
-  /// Of a sea bed that reflects light, its albedo at angles (surface/lambert.hpp), [line][angle];
+  /// The albedo of a sea bed that reflects light, at angles (surface/lambert.hpp), [line][angle];
   /// empty if it is black.
   std::vector<double> bed_albedo;
   std::int32_t beam_lobe = 0;  ///< table of a narrow lobe, for walks that look for the laser's beam
   Waves waves;
   Film film;
   bool upside_down = false;             ///< see upside_down.hpp
-  double air_m = 0;                     ///< how high it is then, below a vacuum
+  double air_m = 0;                     ///< its height then, below a vacuum
   double scattering_to_instrument = 0;  ///< optical depth of it from there to the sea, if it is
   EnvironmentTables environments;
   std::vector<Source> sources;  ///< of all that it is made of

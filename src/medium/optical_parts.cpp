@@ -16,18 +16,18 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 std::vector<double> values_of(const std::string& name, std::optional<double> Contribution::*value,
                               const WatersOptics& waters) {
   std::vector<double> out;
-  bool told = false;
+  bool known = false;
   for (const WaterOptics& water : waters) {
     double sum = 0;
     for (const Contribution& each : water.contributions) {
       if (each.name.empty()) sum = nan;
       if (each.name != name || !(each.*value)) continue;
       sum += *(each.*value);
-      told = true;
+      known = true;
     }
     out.push_back(sum);
   }
-  return told ? out : std::vector<double>{};
+  return known ? out : std::vector<double>{};
 }
 
 const char* name_of(Scatterer scatterer) {
@@ -49,10 +49,10 @@ std::vector<double> backscattering_of(const std::string& name, const std::vector
                                       const std::vector<BackscatteringByName>& backscattering) {
   std::vector<double> out;
   for (std::size_t i = 0; i < b_per_m.size(); ++i) {
-    const auto told = backscattering[i].find(name);
-    out.push_back(std::isnan(b_per_m[i])            ? nan
-                  : told == backscattering[i].end() ? 0.0
-                                                    : told->second);
+    const auto found = backscattering[i].find(name);
+    out.push_back(std::isnan(b_per_m[i])             ? nan
+                  : found == backscattering[i].end() ? 0.0
+                                                     : found->second);
   }
   return out;
 }

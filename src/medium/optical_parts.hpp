@@ -1,4 +1,4 @@
-// What each constituent of the layers does, for the table of their optics.
+// The effect of each constituent of the layers, for the table of their optics.
 #pragma once
 
 #include <map>
@@ -11,13 +11,13 @@
 
 namespace photic::medium {
 
-/// Of every layer at every wavelength, in the table's order.
+/// The optics of every layer at every wavelength, in the table's order.
 using WatersOptics = std::vector<WaterOptics>;
 
-/// What is scattered backwards by each constituent of a layer [1/m].
+/// The backscattering of each constituent of a layer [1/m].
 using BackscatteringByName = std::map<std::string, double>;
 
-/// Of any layers; the constituents' phase functions are those of all of them.
+/// The backscattering of any layers; the constituents' phase functions are those of all of them.
 class Backscattering {
  public:
   explicit Backscattering(const LayerOptics& optics_of) : optics_of_(optics_of) {}

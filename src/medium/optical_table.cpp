@@ -57,7 +57,7 @@ OpticalTable::Emission emission_of(Process process, const EmittedLight& light, s
   return out;
 }
 
-/// Of all inelastic processes, whoever counts their light.
+/// The emission of all inelastic processes, even if no channel counts their light.
 std::vector<OpticalTable::Emission> emission_in(scene::Scene scene, const optics::Library& library,
                                                 const LayerOptics& optics_of) {
   constexpr std::array processes{Process::raman, Process::chlorophyll, Process::cdom};

@@ -1,4 +1,4 @@
-// The optics of layers, of a scene's water or of air, as a table: what `photic optics` tells
+// The optics of layers, of a scene's water or of air, as a table: the output of `photic optics`
 // (docs/guide.md).
 #pragma once
 
@@ -12,21 +12,21 @@
 
 namespace photic::medium {
 
-/// What lies between the edges of layers: water, from the surface down, or air, from the lowest
+/// The substance between the edges of layers: water, from the surface down, or air, from the lowest
 /// level up.
 enum class Layered { water, air };
 
 /// Values of a layer k at a wavelength w stand at k * wavelengths + w, those of a phase function at
 /// an angle i at (k * wavelengths + w) * angles + i.
 struct OpticalTable {
-  /// What one constituent absorbs, scatters, and scatters backwards. Empty where no layer's optics
-  /// say anything of it, NaN in a layer whose constituents are not known, 0 in one that has none of
-  /// it.
+  /// The absorption, scattering and backscattering of one constituent. Empty where no layer's
+  /// optics give it, NaN in a layer whose constituents are not known, 0 in one that has none of it.
   struct Part {
     std::string name;
     std::vector<double> a_per_m, b_per_m, bb_per_m;
   };
-  /// What the layers emit by one process [photons per metre and photon of the exciting light].
+  /// The emission of the layers by one process [photons per metre and photon of the exciting
+  /// light].
   struct Emission {
     std::string process;
     std::vector<double> wavelength_nm;  ///< of its lines, ascending; none where nothing is emitted
@@ -62,7 +62,7 @@ struct OpticalTable {
 /// 1 - cos, with its digits near the forward direction.
 double x_of_angle(double angle_deg);
 
-/// Scattering angles that phase functions are told at: 0, ten in each decade from 0.01 to 10, then
+/// Scattering angles that phase functions are given at: 0, ten in each decade from 0.01 to 10, then
 /// every 5 degrees. Photic's phase functions are flat within 0.01 degree (optics/phase_table.hpp).
 std::vector<double> table_angles_deg();
 

@@ -24,7 +24,7 @@ void check_scattering(const scene::Scene& scene, const Air& here, const OtherAir
   }
 }
 
-/// What light meets in the air as a medium, whose phase functions go into it.
+/// The coefficients of the air as a medium, whose phase functions go into it.
 class AirCoefficients {
  public:
   explicit AirCoefficients(Medium& medium) : medium_(medium) {}

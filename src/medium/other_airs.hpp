@@ -1,5 +1,5 @@
-// What other airs, those of environments, do to the weights of paths that were drawn in the scene's
-// (docs/theory.md, "Environments"): as medium/environments.hpp has it of the water.
+// The effect of other airs, those of environments, on the weights of paths that were drawn in the
+// scene's (docs/theory.md, "Environments"): as medium/environments.hpp has it of the water.
 #pragma once
 
 #include <string>
@@ -19,11 +19,11 @@ struct OtherAir {
   double scale = 1;
 };
 
-/// Of all environments of a scene with an [atmosphere], and then of all derivatives. Throws
-/// InputError where light is scattered in an environment where it never is in the scene.
+/// The airs of all environments of a scene with an [atmosphere], and then of all derivatives.
+/// Throws InputError where light is scattered in an environment where it never is in the scene.
 std::vector<OtherAir> other_airs(const scene::Scene& scene, const std::vector<Line>& lines);
 
-/// How much deeper the air is in each of them, straight up from the sea to heights [m],
+/// The excess depth of the air in each of them, straight up from the sea to heights [m],
 /// [environment][height][line].
 std::vector<double> excess_depths(const std::vector<OtherAir>& airs,
                                   const std::vector<double>& height_m);

@@ -1,4 +1,4 @@
-// Where numbers come from, told once for all wavelengths that they come from there at.
+// The sources of numbers, each named once for all wavelengths that it served for.
 #pragma once
 
 #include <string>

@@ -53,7 +53,7 @@ void add_surface(const scene::Scene& scene, const optics::Library& library, Medi
   const double azimuth = surface.wind_direction_deg * radian_per_degree;
   waves.upwind_x = std::cos(azimuth);
   waves.upwind_y = std::sin(azimuth);
-  constexpr double all_nm = 0;  // of what is the same at all wavelengths none is told
+  constexpr double all_nm = 0;  // in place of a wavelength where all have the same value
   add_source("slopes of the sea surface", waves.slopes.source, all_nm, medium.sources);
   const auto [fraction, law] = whitecap_fraction_of(surface);
   if (fraction == 0) return;
@@ -97,7 +97,7 @@ constexpr double wider = 1.005;
 /// Facets that Cox & Munk's series denies are so few that nothing is missed.
 constexpr double denied = 1e-5;
 
-/// Whether a scene's histories go where those of another surface would.
+/// Checks that a scene's histories go where those of another surface would.
 void check_other(const std::string& who, const scene::Surface& here, const scene::Surface& there) {
   if (there == here) return;
   const optics::SlopeLaw own = slopes_of(here), other = slopes_of(there);

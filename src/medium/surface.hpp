@@ -13,7 +13,8 @@ optics::SlopeLaw slopes_of(const scene::Surface& surface);
 /// The share of the surface that whitecaps cover, and why; 0 where there are none.
 optics::Sourced whitecap_fraction_of(const scene::Surface& surface);
 
-/// What whitecaps reflect of light from above. Throws InputError for a wavelength without data.
+/// The reflectance of whitecaps for light from above. Throws InputError for a wavelength without
+/// data.
 optics::Sourced whitecap_reflectance_of(const scene::Surface& surface,
                                         const optics::Library& library, double wavelength_nm);
 

@@ -1,6 +1,6 @@
 // The air above the sea as a medium like the sea, upside down: heights above the surface stand for
-// depths. What is made for instruments and light in the water does for those in the air then, with
-// the surface as light from the air sees it.
+// depths. The code for instruments and light in the water serves those in the air then, with the
+// surface as light from the air sees it.
 #pragma once
 
 #include "medium/air.hpp"
@@ -9,7 +9,7 @@
 
 namespace photic::medium {
 
-/// What scatters and absorbs least [1/m]: a vacuum counts as this, which nobody can tell from it.
+/// The least scattering and absorption [1/m]: a vacuum counts as this, which has no visible effect.
 inline constexpr double min_attenuation = 1e-20;
 
 /// Light of the sea's lines is scattered there and absorbed, but not converted. Above the air there
@@ -18,7 +18,7 @@ inline constexpr double min_attenuation = 1e-20;
 Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Medium& sea,
                    double lowest_m, double highest_m);
 
-/// Of the air straight up from the sea to a height, for each line.
+/// The air straight up from the sea to a height, for each line.
 struct AirColumn {
   std::vector<double> optical_depth;
   std::vector<double> delay_m;  ///< by how much the group path is longer than in a vacuum
@@ -26,8 +26,8 @@ struct AirColumn {
 AirColumn column_to(const Air& air, double height_m);
 AirDelay delay_of(const Air& air, std::size_t line);
 
-/// Takes the group index of the water, told against air, against vacuum: n_g n_a + n (n_ga - n_a),
-/// with the indices of the lowest air [D]. Its index stays the one against that air.
+/// Takes the group index of the water, which is relative to air, relative to vacuum: n_g n_a + n
+/// (n_ga - n_a), with the indices of the lowest air [D]. Its index stays relative to that air.
 void count_against_vacuum(const Air& air, Medium& sea);
 
 }  // namespace photic::medium

@@ -5,7 +5,7 @@
 namespace photic::medium {
 namespace {
 
-/// How much of the scattering has a phase function.
+/// The amount of scattering that has a phase function.
 double scattered_by(const Coefficients& of, std::int32_t phase) {
   double sum = 0;
   for (const auto& part : of.part) sum += part.phase == phase ? part.b_per_m : 0.0;

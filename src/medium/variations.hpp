@@ -1,5 +1,5 @@
-// What environments, and the steps of derivatives, make of what light meets in each layer: the
-// tables that go into a medium (medium.hpp, EnvironmentTables).
+// The changes that environments, and the steps of derivatives, make to the optics of each layer:
+// the tables that go into a medium (medium.hpp, EnvironmentTables).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace photic::medium {
 
-/// What light meets in one layer at one line.
+/// The coefficients of one layer at one line.
 struct Coefficients {
   double c_per_m = 0, b_per_m = 0;
   double emitted_per_m = 0;  ///< into this line, of the laser's light
@@ -22,7 +22,7 @@ struct Coefficients {
 };
 using LayerCoefficients = std::vector<Coefficients>;  ///< [line][layer]
 
-/// Of an environment, or a tangent: what changes, in units of `scale`.
+/// The change by an environment, or a tangent, in units of `scale`.
 struct Variation {
   std::string name;  ///< as users know it
   LayerCoefficients from, to;

@@ -1,4 +1,4 @@
-// What walks see of a rough sea surface.
+// The rough sea surface as walks see it.
 #pragma once
 
 #include "core/lanes.hpp"
@@ -40,10 +40,10 @@ enum class SurfaceRow : std::int32_t {
   per_crosswind,  ///< the same
   c21,            ///< of the Gram-Charlier series
   c03,            ///< the same; its other coefficients are the medium's
-  of_facets,      ///< what stands before the density of slopes, over what does in the medium
-  facets,         ///< how much of the surface whitecaps leave free, over the same
+  of_facets,      ///< factor before the density of slopes, over that in the medium
+  facets,         ///< share of the surface free of whitecaps, over the same
   whitecaps,      ///< fraction of whitecaps, over the same; 0 if there are none
-  rows            ///< how many
+  rows            ///< their number
 };
 inline constexpr std::int32_t surface_rows = 2 * static_cast<std::int32_t>(SurfaceRow::rows) + 1;
 

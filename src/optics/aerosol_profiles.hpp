@@ -1,4 +1,4 @@
-// How much aerosol there is at which altitude, by visibility and season: LOWTRAN 7's profiles.
+// The amount of aerosol by altitude, for a visibility and a season: LOWTRAN 7's profiles.
 #pragma once
 
 #include <array>
@@ -27,8 +27,8 @@ struct AerosolProfiles {
   std::string source;
 };
 
-/// What molecules scatter at 550 nm at the sea level, as LOWTRAN 7 subtracts it from the extinction
-/// that a visibility stands for.
+/// The scattering of molecules at 550 nm at the sea level, as LOWTRAN 7 subtracts it from the
+/// extinction that a visibility stands for.
 inline constexpr double molecules_at_visibility_per_km = 0.01159;
 
 /// The optical depth to where things are seen with a contrast of 2 % (Koschmieder 1924).

@@ -10,7 +10,7 @@
 namespace photic::optics {
 namespace {
 
-/// Of the ways between two values that the interpolation has gone, in wavelength and humidity.
+/// The positions of the interpolation between two values each, in wavelength and humidity.
 struct Steps {
   std::size_t wavelength;
   double t_wavelength, t_humidity;

@@ -1,5 +1,5 @@
-// Aerosols of the air: how their extinction, absorption and direction of scattering go with
-// wavelength and relative humidity. How much there is of them is in an AirProfile.
+// Aerosols of the air: their extinction, absorption and direction of scattering by wavelength and
+// relative humidity. The amount of aerosol is in an AirProfile.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ namespace photic::optics {
 
 class AirLibrary;
 
-/// Whether phase functions are wanted, which Mie theory takes seconds for.
-enum class Phases { told, left_out };
+/// Phase functions are wanted or not: Mie theory takes seconds for them.
+enum class Phases { wanted, left_out };
 
 struct AerosolOptics {
   double extinction = 0, absorption = 0;  ///< over the extinction at 550 nm
@@ -55,6 +55,6 @@ class AerosolModel {
 /// relative humidity of its own, as in "opac-waso-80". Throws InputError.
 AerosolOptics aerosol_optics(const AirLibrary& library, const std::string& model,
                              double wavelength_nm, double relative_humidity_percent,
-                             Phases phases = Phases::told);
+                             Phases phases = Phases::wanted);
 
 }  // namespace photic::optics

@@ -22,7 +22,7 @@ struct AirScatterer {
   PhaseShape phase;  ///< none where aerosols' are left out
 };
 
-/// What they scatter together.
+/// The phase function of all of them together.
 PhaseShape phase_of(const std::vector<AirScatterer>& scatterers);
 
 /// The means of a profile between two of its edges.
@@ -50,6 +50,7 @@ struct AirOptics {
 /// Throws InputError for a wavelength without data (200 to 1100 nm; to 1099 nm where
 /// there is ozone, from 250 nm for OPAC) or a model that does not exist.
 AirOptics air_at(const AirLibrary& library, const AirProfile& profile,
-                 const AerosolChoice& aerosols, double wavelength_nm, Phases phases = Phases::told);
+                 const AerosolChoice& aerosols, double wavelength_nm,
+                 Phases phases = Phases::wanted);
 
 }  // namespace photic::optics

@@ -1,5 +1,5 @@
-// The published tables that the optics of air are made of: apart from those of the sea, so that who
-// asks for no air does not read them.
+// The published tables that the optics of air are made of: apart from those of the sea, so that
+// scenes without air do not read them.
 #pragma once
 
 #include <map>

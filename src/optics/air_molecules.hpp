@@ -1,4 +1,4 @@
-// What molecules do to light in air: they scatter it, bend it, and ozone absorbs it.
+// The effect of molecules on light in air: they scatter it, bend it, and ozone absorbs it.
 //
 // Dry air with 360 ppm of carbon dioxide: water vapour scatters as much as the air it replaces
 // within 1 %, and its absorption lines are left out.

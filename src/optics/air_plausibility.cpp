@@ -25,7 +25,7 @@ constexpr double min_mixed_hpa = 1e-3;
 /// Nearer levels are compared with others: differences of soundings' neighbours are noise.
 constexpr double near_km = 0.5;
 
-/// Whether a number is another one times a factor.
+/// Returns whether a number is another one times a factor.
 bool fits(double value, double factor) {
   return value > factor / tolerance && value < factor * tolerance;
 }
@@ -47,16 +47,16 @@ constexpr std::array of_altitudes{
     Mistake{1e3, "are the altitudes in m, and not in km?"},
     Mistake{3280.84, "are the altitudes in feet, and not in km?"},
     Mistake{3.28084, "are the altitudes in 1000 feet, and not in km?"}};
-// Of the upper pressure over what it should be.
+// Factors of the upper pressure over its expected value.
 constexpr std::array of_pressures{Mistake{1e2, "is this pressure in Pa, and not in hPa?"},
                                   Mistake{1e-2, "is the pressure below it in Pa, and not in hPa?"},
                                   Mistake{1e-1, "is this pressure in kPa, and not in hPa?"},
                                   Mistake{1e1, "is the pressure below it in kPa, and not in hPa?"}};
-// Of the pressure at the sea over the standard one.
+// Factors of the pressure at the sea over the standard one.
 constexpr std::array of_all_pressures{Mistake{1e-1, "are the pressures in kPa, and not in hPa?"},
                                       Mistake{1e-3, "are the pressures in bar, and not in hPa?"}};
 
-/// Of a pressure over one above it, between what their rounding leaves open.
+/// The logarithm of a pressure over one above it, within the bounds of their rounding.
 struct Logarithm {
   double least, most;
 };

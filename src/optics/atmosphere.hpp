@@ -35,7 +35,7 @@ struct AirProfile {
   friend bool operator==(const AirProfile&, const AirProfile&) = default;
 };
 
-// What air can be: other numbers are in another unit.
+// The limits of what air can be: other numbers are in another unit.
 /// The lowest pressure stands for what a file prints as 0.
 inline constexpr double min_hpa = 1e-12;
 inline constexpr double max_hpa = 2000, lowest_k = 50, highest_k = 5000;
@@ -58,12 +58,12 @@ DataTable with_all_humidities(DataTable table);
 std::optional<std::string> fill_humidities(const std::vector<double>& z_km,
                                            std::vector<double>& humidity);
 
-/// Of water vapour over its saturation over water, at most 100. LOWTRAN 7's formula (Kneizys et al.
-/// 1988, AFGL-TR-88-0177) [verified: gives the humidities that it prints].
+/// The ratio of water vapour to its saturation over water, at most 100. LOWTRAN 7's formula
+/// (Kneizys et al. 1988, AFGL-TR-88-0177) [verified: gives the humidities that it prints].
 double relative_humidity_percent(double water_vapour_per_m3, double temperature_k);
 
-/// The profile in more layers, with edges in any order between its own. What there is stays as it
-/// is.
+/// The profile in more layers, with edges in any order between its own. The values stay as they
+/// are.
 AirProfile with_edges(AirProfile profile, const std::vector<double>& more_km);
 
 /// The layers of a profile below an altitude, which they must cover.

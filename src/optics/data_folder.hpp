@@ -1,4 +1,4 @@
-// Where the tables lie.
+// The folder of the tables.
 #pragma once
 
 #include <string>

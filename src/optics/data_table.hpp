@@ -25,8 +25,8 @@
 
 namespace photic::optics {
 
-/// Whether the name belongs to a folder, a pipe or a device, links followed:
-/// reading some of these has no end.
+/// Returns whether the name belongs to a folder, a pipe or a device, links followed: reading some
+/// of these has no end.
 bool is_no_regular_file(const std::string& path);
 inline constexpr const char* files_are_regular = "folders, pipes and devices are not read";
 
@@ -70,9 +70,9 @@ class DataTable {
   /// Empty ones where no names stand anywhere.
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
   [[nodiscard]] std::size_t rows() const { return cells_.size(); }
-  /// Whether messages may quote what the file holds.
+  /// Returns whether messages may quote the file.
   [[nodiscard]] bool may_be_quoted() const { return shows_; }
-  /// "there are, between blanks: a, b", or what else helps whom a column is missing.
+  /// "there are, between blanks: a, b", or another hint for a missing column.
   [[nodiscard]] std::string what_there_is() const;
   /// "no column "x"", or that the file is no table.
   [[nodiscard]] std::string lack_of(const std::string& column) const;
@@ -150,7 +150,7 @@ class DataTable {
   int column_line_ = 0;
   char separator_ = comma;
   bool has_names_ = true;
-  bool shows_ = true;            ///< what it holds in messages
+  bool shows_ = true;            ///< its contents in messages
   bool whole_numbers_ = false;   ///< no names, and commas between whole numbers
   std::vector<double> missing_;  ///< they stand for values that are not known
   std::vector<Cells> cells_;

@@ -14,7 +14,8 @@ struct EmissionLine {
   double coefficient = 0;  ///< photons emitted, per photon and what the process says
 };
 
-/// How the light of a process is spread: straight lines between wavelengths, nothing outside.
+/// The distribution of the light of a process over wavelength: straight lines between wavelengths,
+/// nothing outside.
 class EmissionSpectrum {
  public:
   EmissionSpectrum() = default;
@@ -33,7 +34,7 @@ class EmissionSpectrum {
   std::vector<double> nm_, per_nm_;
 };
 
-/// What a process emits.
+/// The emission by a process.
 struct Emission {
   std::optional<EmissionLine> line;  ///< all of it where its centre is, for those that have one
   EmissionSpectrum spectrum;         ///< empty: nothing is emitted

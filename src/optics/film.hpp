@@ -37,7 +37,7 @@ T cosine_in_film(const T& film_index, const T& n, const T& cosine) {
   const T square = (film_index - n) * (film_index + n) + n * n * cosine * cosine;
   return sqrt(select(square > T(0), square, T(0))) / film_index;
 }
-/// Of light that goes through once.
+/// The transmission of light that goes through once.
 template <class T>
 T optical_path(const Film<T>& film, const T& cosine) {
   const Mask<T> passes = cosine > T(1e-6);
@@ -84,9 +84,10 @@ struct FilmOnWater {
   T water;  ///< index of the water against air
 };
 
-/// How unpolarised light goes through one face of a film: so much of what comes to it from outside
-/// begins its way through the film there, and so much comes back from the other face. Of what is
-/// emitted in the film just as much gets out by this face, straight or by way of the other one.
+/// The shares of unpolarised light at one face of a film: the share of the light from outside that
+/// begins its way through the film there, and the share that comes back from the other face. Light
+/// emitted in the film gets out by this face in the same share, straight or by way of the other
+/// one.
 template <class T>
 struct ThroughFace {
   T optical_path{};  ///< through the film once
@@ -112,9 +113,9 @@ ThroughFace<T> through_face(const FilmOnWater<T>& at, bool above, const T& cosin
   return out;
 }
 
-/// Of light that comes to a film, the share that is absorbed and, each photon being emitted again
-/// evenly to all sides, gets out by the `same` face or by the other one, per solid angle in the
-/// film over 1 / (4 pi).
+/// The share of the light that comes to a film that is absorbed and, each photon being emitted
+/// again evenly to all sides, gets out by the `same` face or by the other one, per solid angle in
+/// the film over 1 / (4 pi).
 template <class T>
 T absorbed_and_out(const ThroughFace<T>& in, const ThroughFace<T>& out, bool same) {
   using std::abs;
@@ -130,7 +131,7 @@ T absorbed_and_out(const ThroughFace<T>& in, const ThroughFace<T>& out, bool sam
   return a * (same ? straight * along + around * against : straight * against + around * along);
 }
 
-/// Of light of `from` that comes to a film, so much is absorbed and, where each photon is emitted
+/// The share of light of `from` that comes to a film, is absorbed and, where each photon is emitted
 /// again as light of `to`, gets out, per solid angle outside [1/sr]. Cosines to the normal are
 /// those outside. Emitted light excites none.
 template <class T>

@@ -15,8 +15,8 @@ namespace photic::optics {
 Emission chlorophyll_fluorescence(const Library& library, double laser_nm, double share_730);
 
 /// Photons per photon absorbed by CDOM: Hawes's function of the fulvic acid FA7 (Hawes 1992, as in
-/// Mobley 1994, Light and Water, sect. 5.15), its A0 interpolated and as at 310 nm below. Up to
-/// 750 nm: less than 1 % lies beyond. Nothing at wavelengths shorter than the laser's.
+/// Mobley 1994, Light and Water, sect. 5.15), its A0 interpolated and as at 310 nm below. Up to 750
+/// nm: less than 1 % lies beyond. There are none at wavelengths shorter than the laser's.
 Emission cdom_fluorescence(const Library& library, double laser_nm);
 
 /// The same of a user's table: columns excitation_nm, emission_nm, yield_per_nm (photons per

@@ -36,7 +36,7 @@ class FournierForand {
  private:
   double v_;            ///< (3 - slope) / 2
   double delta_per_x_;  ///< delta = 4 / (3 (n-1)^2) sin^2(angle/2), over x
-  double tail_;         ///< what multiplies 3 cos^2 - 1
+  double tail_;         ///< the factor of 3 cos^2 - 1
 };
 
 inline PhaseShape fournier_forand(double refractive_index, double slope) {

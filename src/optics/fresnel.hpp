@@ -9,14 +9,14 @@
 
 namespace photic::optics {
 
-/// What becomes of unpolarised light at an interface.
+/// The shares of unpolarised light at an interface.
 template <class T>
 struct Refraction {
   T cos_transmitted;  ///< cosine of the refracted ray to the normal; 0 in total reflection
   T reflectance;      ///< share of the flux that is reflected; 1 in total reflection
 };
 
-/// Of light polarised across the plane of incidence (s) and in it (p).
+/// The shares of light polarised across the plane of incidence (s) and in it (p).
 template <class T>
 struct ByPolarisation {
   T s, p;

@@ -23,17 +23,16 @@ struct MieAmplitudes {
   std::complex<double> s1, s2;
 };
 
-/// What a sphere's Mueller matrix consists of: S11 = S22, S12 = S21, S33 = S44, S34 = -S43. The
+/// The elements of a sphere's Mueller matrix: S11 = S22, S12 = S21, S33 = S44, S34 = -S43. The
 /// scattered intensity at distance r is S11 / (k r)^2 of unpolarised light's.
 struct MieMueller {
   double s11, s12, s33, s34;
 };
 
-/// What Mie theory is asked for in place of an index so near 1 that the coefficients, differences
-/// of nearly equal numbers, would lose their digits. How spheres fainter than that scatter depends
-/// on nothing but their size: scattering goes as |m^2 - 1|^2, absorption as the imaginary part of
-/// m^2 (Rayleigh-Gans theory: van de Hulst 1957, ch. 7; Bohren & Huffman 1983, sec. 6.1 [from
-/// memory]).
+/// The index for Mie theory in place of one so near 1 that the coefficients, differences of nearly
+/// equal numbers, would lose their digits. The pattern of spheres fainter than that depends on
+/// nothing but their size: scattering goes as |m^2 - 1|^2, absorption as the imaginary part of m^2
+/// (Rayleigh-Gans theory: van de Hulst 1957, ch. 7; Bohren & Huffman 1983, sec. 6.1 [from memory]).
 struct MieContrast {
   /// |m - 1|, where rounding and what is left out of Rayleigh-Gans theory are alike: 2e-6 of the
   /// scattering into any direction up to size parameters of 1000, 2e-5 at 10 000.
@@ -42,7 +41,7 @@ struct MieContrast {
   explicit MieContrast(std::complex<double> relative_index);
 
   std::complex<double> index;             ///< that of the sphere if it is not too faint
-  double scattering = 1, absorption = 1;  ///< what the efficiencies have to be multiplied by
+  double scattering = 1, absorption = 1;  ///< factors of the efficiencies
 };
 
 class MieSphere {
@@ -68,7 +67,8 @@ class MieSphere {
 /// Bohren & Huffman 1983, eq. (4.77), with the sign of S34 that theirs has (they have m = n + ik).
 MieMueller mueller(const MieAmplitudes& s);
 
-/// How many orders are summed: Wiscombe's criterion for 8 < x < 4200, which is the strictest.
+/// The number of orders that are summed: Wiscombe's criterion for 8 < x < 4200, which is the
+/// strictest.
 int mie_orders(double size_parameter);
 
 }  // namespace photic::optics

@@ -1,8 +1,8 @@
-// What LOWTRAN 7 and MODTRAN print about the air: the profiles in a tape6, the transmittances in a
-// tape7. Columns are found by their names, since versions add some. Those of a tape7 have fixed
+// The output of LOWTRAN 7 and MODTRAN about the air: the profiles in a tape6, the transmittances in
+// a tape7. Columns are found by their names, since versions add some. Those of a tape7 have fixed
 // widths, and names of seven letters fill theirs: they touch.
 //
-// Whatever is wrong is an InputError with file, line and column.
+// A problem is an InputError with file, line and column.
 #pragma once
 
 #include <map>
@@ -17,11 +17,11 @@ namespace photic::optics {
 /// and with AEROSOL 1 to 4 and RH. One run in a file.
 AirProfile modtran_profile(const std::string& text, const std::string& name);
 
-/// Whether a text looks like a tape6: it has the head of one or a title of profiles.
+/// Returns whether a text looks like a tape6: it has the head of one or a title of profiles.
 bool is_tape6(const std::string& text);
 
-/// Whether a text looks like a tape7: a line of it begins with FREQ, and it is no tape6, whose
-/// tables of spectra begin so too.
+/// Returns whether a text looks like a tape7: a line of it begins with FREQ, and it is no tape6,
+/// whose tables of spectra begin so too.
 bool is_tape7(const std::string& text);
 
 /// An optical depth, and how far off it may be because the file has so few digits.
@@ -37,8 +37,8 @@ class ModtranTransmittances {
   /// The two lines of names as one: "COMBIN TRANS", "O3 TRANS", "MOLEC SCAT", "AER+CLD TRANS", …
   [[nodiscard]] std::vector<std::string> columns() const;
 
-  /// Linear between wavenumbers. Where there is a column "-LOG COMBIN" beside "COMBIN TRANS", the
-  /// one that rounds less. Throws InputError for a column or wavelength that is not there, or a
+  /// Linear between wavenumbers. Of the columns "-LOG COMBIN" and "COMBIN TRANS", it takes the one
+  /// that rounds less. Throws InputError for a column or wavelength that is not there, or a
   /// transmittance that is printed as 0.
   [[nodiscard]] RoundedDepth optical_depth(const std::string& column, double wavelength_nm) const;
 
@@ -46,7 +46,7 @@ class ModtranTransmittances {
   /// not for those.
   [[nodiscard]] double transmittance(const std::string& column, double wavelength_nm) const;
 
-  /// Of the rows, ascending.
+  /// The wavelengths of the rows, ascending.
   [[nodiscard]] std::vector<double> wavelengths_nm() const;
 
  private:

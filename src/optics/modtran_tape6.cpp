@@ -54,7 +54,7 @@ bool is_missing(const std::string& text) {
   return text.find_first_not_of('*') == std::string::npos || text == "NaN";
 }
 
-/// Whether the second word belongs to the name that the first one begins.
+/// Returns whether the second word belongs to the name that the first one begins.
 bool one_name(const std::string& first, const std::string& second) {
   static const std::vector<std::pair<std::string, std::string>> pairs{
       {"MOL", "SCAT"}, {"WAT", "DROP"}, {"ICE", "PART"}, {"RAIN", "RATE"}};
@@ -220,7 +220,7 @@ class Tape6 {
     return out;
   }
 
-  /// How far off pressures may be by the digits that are printed.
+  /// The largest error of pressures by the digits that are printed.
   [[nodiscard]] double rounding_hpa() const {
     const std::size_t at = index_of(*molecules_, pressure);
     double out = max_hpa;

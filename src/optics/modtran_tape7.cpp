@@ -44,8 +44,8 @@ int find_names(const ModtranText& text) {
             transmittances_expected);
 }
 
-/// The widths that all lines of a table share. Where names or numbers touch, the row whose numbers
-/// do not tells where to cut.
+/// The widths that all lines of a table share. Names or numbers that touch are cut by a row whose
+/// numbers do not touch.
 class Fields {
  public:
   Fields(const ModtranText& text, int names_line) : text_(text), first_row_(names_line + 2) {
@@ -62,7 +62,7 @@ class Fields {
 
   [[nodiscard]] bool has_rows() const { return !row_.empty(); }
 
-  /// Whether there are rows, but none of so many numbers.
+  /// Returns whether there are rows, but none of so many numbers.
   [[nodiscard]] bool lack_numbers(std::size_t count) const {
     if (!has_rows()) return false;
     for (int n = first_row_; n <= text_.lines() && !is_end(text_.words(n)); ++n)

@@ -11,11 +11,11 @@ inline constexpr const char* modtran_profiles = "ATMOSPHERIC PROFILES";
 
 struct ModtranWord {
   std::string text;
-  int column = 0;  ///< where it starts, from 1
+  int column = 0;  ///< its start, from 1
 };
 
-/// Whether they are so many, all of them numbers. Without such a line nothing that a table's lines
-/// hold may stand in a message: the file may be no table.
+/// Returns whether they are so many, all of them numbers. Without such a line nothing that a
+/// table's lines hold may stand in a message: the file may be no table.
 [[nodiscard]] bool are_numbers(const std::vector<ModtranWord>& words, std::size_t count);
 
 /// A file with its name, for diagnostics.
@@ -27,7 +27,7 @@ class ModtranText {
   /// Lines are numbered from 1.
   [[nodiscard]] const std::string& line(int number) const { return lines_.at(number - 1); }
   [[nodiscard]] std::vector<ModtranWord> words(int number) const;
-  /// Whether nothing ends the line: the file may have been truncated in it.
+  /// Returns whether nothing ends the line: the file may have been truncated in it.
   [[nodiscard]] bool is_open(int number) const { return number == lines() && !ends_; }
   /// The title of a block of profiles, which only a tape6 has.
   [[nodiscard]] bool is_title(int number) const;

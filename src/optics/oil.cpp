@@ -13,12 +13,12 @@
 namespace photic::optics {
 namespace {
 
-/// What a class has, in the order it is told.
+/// The items of a class, in the order of messages.
 constexpr const char* items[] = {"refractive_index", "absorption_337_nm", "absorption_slope",
                                  "emission_peak",    "emission_fwhm",     "quantum_yield",
                                  "lifetime"};
 
-/// Where the formulas of a class are taken as good.
+/// The range in which the formulas of a class are taken as good.
 constexpr double class_min_nm = 200, class_max_nm = 1100;
 
 const OilProperty* find(const std::vector<OilProperty>& all, const std::string& oil,

@@ -22,7 +22,7 @@ struct OilProperty {
 /// The rows of a table of classes of oil: each class has all items, once. Throws InputError.
 std::vector<OilProperty> oil_properties(const DataTable& table);
 
-/// Of the wavelength [nm].
+/// A function of the wavelength [nm].
 using OilSpectrum = std::function<double(double)>;
 
 struct Oil {
@@ -33,7 +33,7 @@ struct Oil {
   double emission_min_nm = 0, emission_max_nm = 0;  ///< next to nothing outside
   double yield = 0;                                 ///< photons emitted per photon absorbed
   double lifetime_ns = 0;
-  std::vector<OilProperty> properties;  ///< what it is made of, for people to read
+  std::vector<OilProperty> properties;  ///< its parts, for people to read
 };
 
 /// The names of Photic's classes.

@@ -80,7 +80,7 @@ Spheres Opac::spheres(const std::string& component, double nm) const {
 AerosolOptics Opac::at(const SampledSpheresCache& cache, const std::string& component, double nm,
                        Phases phases) const {
   const Spheres here = spheres(component, nm);
-  const auto there = phases == Phases::told ? cache(here) : cache.sections(here);
+  const auto there = phases == Phases::wanted ? cache(here) : cache.sections(here);
   const auto at_550 = cache.sections(spheres(component, 550));
   AerosolOptics out;
   out.extinction = there->extinction_m2 / at_550->extinction_m2;

@@ -16,14 +16,14 @@ class Opac {
   Opac(const DataTable& indices, const DataTable& sizes);
 
   /// The spheres of a component at a relative humidity: "waso-80" is water-soluble at 80 %,
-  /// "soot-0" soot. The index of the air around them is taken as 1. Of the distribution the largest
-  /// spheres, with 1e-9 of the cross-sectional area, are left out: less than 1e-5 of extinction.
-  /// Throws InputError for another name or a wavelength outside the data.
+  /// "soot-0" soot. The index of the air around them is taken as 1. The largest spheres of the
+  /// distribution, with 1e-9 of the cross-sectional area, are left out: less than 1e-5 of
+  /// extinction. Throws InputError for another name or a wavelength outside the data.
   [[nodiscard]] Spheres spheres(const std::string& component, double wavelength_nm) const;
 
   /// Throws InputError as spheres() does. Takes up to some seconds, once for each wavelength.
   [[nodiscard]] AerosolOptics at(const SampledSpheresCache& cache, const std::string& component,
-                                 double wavelength_nm, Phases phases = Phases::told) const;
+                                 double wavelength_nm, Phases phases = Phases::wanted) const;
 
  private:
   struct Component {

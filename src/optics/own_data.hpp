@@ -8,7 +8,7 @@
 
 namespace photic::optics {
 
-/// What `make` makes; its InputErrors become EnvironmentErrors.
+/// Returns the product of `make`; its InputErrors become EnvironmentErrors.
 template <class Make>
 auto own(Make make) {
   try {

@@ -47,7 +47,7 @@ class Curve {
     forward_steepness_ = first.straight() ? 0.0 : std::max(0.0, first.steepness());
   }
 
-  /// Of the power law towards 0; it has an integral below 1.
+  /// The steepness of the power law towards 0; it has an integral below 1.
   [[nodiscard]] double forward_steepness() const { return forward_steepness_; }
 
   [[nodiscard]] double p(double x) const {
@@ -115,8 +115,8 @@ std::vector<double> checked_p(const DataTable& table) {
   return p;
 }
 
-/// What makes 1 of the integral, by the customs of other fields. A volume scattering function of
-/// 0.5 or 2 per metre is as likely as those, one of 4 pi is not.
+/// Returns the advice that makes 1 of the integral, by the customs of other fields. A volume
+/// scattering function of 0.5 or 2 per metre is as likely as those, one of 4 pi is not.
 std::string how_to_normalise(double integral) {
   struct Custom {
     double integral;

@@ -12,7 +12,7 @@ namespace photic::optics {
 struct TabulatedPhase {
   PhaseShape shape;
   double integral = 1;  ///< over the sphere, before it was scaled
-  std::string remark;   ///< what its user should know; may be empty
+  std::string remark;   ///< a hint for its user; may be empty
 };
 
 /// Columns angle_deg (ascending, 0 to 180, ending at 180) and phase_function_per_sr. Between the

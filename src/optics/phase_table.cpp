@@ -67,7 +67,8 @@ class Inverse {
   struct Point {
     double x, per_u;  ///< and dx/du
   };
-  /// Where the fraction u lies below: the last such x if it is `from_below`, else the first.
+  /// The place below which the fraction u lies: the last such x if it is `from_below`, else the
+  /// first.
   Point at(double u, bool from_below) {
     while (i_ + 1 < cdf_.size() && (from_below ? cdf_[i_ + 1] <= u : cdf_[i_ + 1] < u)) ++i_;
     while (i_ > 0 && (from_below ? cdf_[i_] > u : cdf_[i_] >= u)) --i_;
@@ -95,7 +96,7 @@ std::array<double, 4> cubic(double from, Inverse::Point a, double to, Inverse::P
     return std::copysign(std::min(std::abs(per_t) * (to - from), 3 * std::abs(rise)), rise);
   };
   const double s0 = slope(a.per_u), s1 = slope(b.per_u);
-  // Of (t - from) / (to - from), then of t.
+  // Coefficients in (t - from) / (to - from), then in t.
   const double linear = s0 * per, square = (3 * rise - 2 * s0 - s1) * per * per,
                cube = (s0 + s1 - 2 * rise) * per * per * per;
   return {a.x - from * (linear - from * (square - from * cube)),
@@ -111,7 +112,7 @@ std::vector<double> quantiles_of(Inverse inverse) {
   };
   std::vector<double> rows;
   for (const bool lower : {true, false}) {
-    // Of u, or of 1 - u.
+    // The core in u, or in 1 - u.
     const double core = lower ? inverse.core() : inverse.whole() - inverse.core();
     const auto point = [&](double u, double width) {
       auto p = u == core ? inverse.at(inverse.core(), true)

@@ -20,7 +20,7 @@
 
 namespace photic::optics {
 
-/// What a walk sees of a phase function: pointers into a PhaseTable, copied freely.
+/// A phase function as a walk sees it: pointers into a PhaseTable, copied freely.
 struct PhaseView {
   static constexpr int cell_bits = 7;        ///< 128 cells in an octave
   static constexpr int core_exponent = -26;  ///< x_core = 2^-26: 0.00989 degree
@@ -34,19 +34,20 @@ struct PhaseView {
   /// them again for 90 degrees itself.
   static constexpr int lines = cells + 1;
   enum Line : std::int32_t {
-    at_pole,  ///< where the line would meet the pole [1/sr]
+    at_pole,  ///< value where the line would meet the pole [1/sr]
     slope,    ///< per distance [1/sr]
     line_fields
   };
   Table line;  ///< [lines][line_fields]
 
-  /// Where the fraction u of all scattering lies below: x is a cubic of the place t of u in a cell,
-  /// 0 <= t <= 1. The cells are equal within each octave of u below one half, and of 1 - u above.
+  /// The place below which the fraction u of all scattering lies: x is a cubic of the place t of u
+  /// in a cell, 0 <= t <= 1. The cells are equal within each octave of u below one half, and of 1 -
+  /// u above.
   enum Quantile : std::int32_t { at, linear, square, cube, quantile_fields };
   static constexpr int quantile_bits = 6;      ///< 64 cells in an octave
   static constexpr int quantile_octaves = 24;  ///< below the last one cell 0 leads to u = 0
   static constexpr double min_octave = 1.0 / (1 << quantile_octaves);
-  /// Of a half: cell 0, the octaves to one half, and a cell that begins there.
+  /// The rows of a half: cell 0, the octaves to one half, and a cell that begins there.
   static constexpr int half_quantiles = 2 + ((quantile_octaves - 1) << quantile_bits);
   static constexpr int quantiles = 2 * half_quantiles;
   Table quantile;         ///< [quantiles][quantile_fields], outside the core

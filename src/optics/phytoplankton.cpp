@@ -12,7 +12,7 @@ double particles(const Library& library, double c, double nm) {
   return library.particles_a.at(nm, quantity) * std::pow(c, library.particles_e.at(nm, quantity));
 }
 
-/// What multiplies a spectrum's value at the nearer end of its table, for a wavelength beyond it.
+/// The factor on a spectrum's value at the nearer end of its table, for a wavelength beyond it.
 double shape_beyond(const Library& library, double c, double nm, double end_nm) {
   return nm == end_nm ? 1.0 : particles(library, c, nm) / particles(library, c, end_nm);
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double nm_per_cm = 1e7;  // wavenumber [1/cm] = 1e7 / wavelength [nm]
 
-/// What a Raman photon has left of the laser's energy [1/cm]; none if the shift takes all.
+/// The part of the laser's energy that a Raman photon has left [1/cm]; none if the shift takes all.
 std::optional<double> left_after(double shift_per_cm, double laser_nm) {
   const double wavenumber = nm_per_cm / laser_nm - shift_per_cm;
   return wavenumber > 0 ? std::optional(wavenumber) : std::nullopt;

@@ -1,4 +1,4 @@
-// How steep the facets of a rough sea surface are: densities of their slopes by the wind.
+// The slopes of the facets of a rough sea surface: their densities by the wind.
 #pragma once
 
 #include <string>
@@ -38,7 +38,7 @@ struct SlopeLaw {
   double norm = 1;
   std::string source = {};  ///< "Author year, journal, what of it [status]"
 
-  /// Of a two-dimensional law [1].
+  /// The density of a two-dimensional law [1].
   [[nodiscard]] double density(double upwind, double crosswind) const;
 
   [[nodiscard]] bool is_flat() const { return upwind_variance == 0 && crosswind_variance == 0; }

@@ -1,4 +1,4 @@
-// How many particles of which size: relative numbers, since optics ask for means over particles.
+// The numbers of particles by size: relative numbers, since optics ask for means over particles.
 #pragma once
 
 #include <variant>

@@ -17,9 +17,9 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// What is integrated over ln(radius): numbers of particles times the first few of these, then
-/// times the differential cross-section [m^2/sr] at each node of the angle.
-/// Places of the integrals over size.
+/// The integrands over ln(radius): numbers of particles times the first few of these, then times
+/// the differential cross-section [m^2/sr] at each node of the angle. Places of the integrals over
+/// size.
 struct Of {
   enum : std::size_t { number, volume, extinction, scattering, absorption, forward, angles };
 };
@@ -34,7 +34,7 @@ class Integrand {
         amplitude_(rule_.node.size()) {}
 
   [[nodiscard]] const GaussRule& rule() const { return rule_; }
-  /// Of the integrals over all sizes.
+  /// The sections by the integrals over all sizes.
   [[nodiscard]] SphereSections sections(const Values& total) const {
     const double n = total[Of::number];
     return {contrast_.scattering * total[Of::scattering] / n,
@@ -130,14 +130,14 @@ class AdaptiveIntegral {
 
  private:
   void add_up();
-  /// Whether there were any to halve.
+  /// Returns whether there were any to halve.
   bool halve_the_worst(Integrand& f);
 
   std::vector<Panel> panels_;
   Values total_, error_;
 };
 
-// What ends the halving of panels whose error stays up. Resonances of large spheres that hardly
+// The limits to the halving of panels whose error stays up. Resonances of large spheres that hardly
 // absorb are sharper than any panel; one of half a size parameter resolves all else. And ten
 // seconds' worth of angles times orders are enough for very large spheres.
 constexpr double narrowest_panel = 0.5;

@@ -9,7 +9,7 @@ namespace photic::optics {
 
 struct TableCell {
   std::string text;
-  int column = 0;  ///< where it starts, from 1
+  int column = 0;  ///< its start, from 1
   int line = 0;    ///< 0: that of its row
 };
 using TableCells = std::vector<TableCell>;
@@ -25,7 +25,8 @@ const char* name_of(char separator);
 /// Without blanks and tabs around it.
 std::string trimmed(const std::string& text);
 
-/// Whether a trimmed line is a comment: after #, in quotes as spreadsheets write it, or after !.
+/// Returns whether a trimmed line is a comment: after #, in quotes as spreadsheets write it, or
+/// after !.
 bool is_comment(const std::string& content);
 
 /// Between the double quotes from `at` on, which is then behind them. Throws InputError where they
@@ -36,16 +37,16 @@ std::string quoted_text(const std::string& line, std::size_t& at, const std::str
 /// Throws InputError for quotes that are none.
 TableCells fields_of(const std::string& line, char separator, const std::string& name, int number);
 
-/// Nothing for a line with quotes that are none.
+/// Returns nothing for a line with quotes that are none.
 std::optional<TableCells> fields_if_any(const std::string& line, char separator);
 
 /// Counts a letter outside quotes.
 std::size_t count_outside_quotes(const std::string& line, char letter);
 
-/// Whether it is a number between such separators: decimal commas are none between commas.
+/// Returns whether it is a number between such separators: decimal commas are none between commas.
 bool is_number(const std::string& text, char separator);
 
-/// Whether all fields are numbers, or at least one of them and the others gaps.
+/// Returns whether all fields are numbers, or at least one of them and the others gaps.
 bool are_numbers(const TableCells& fields, char separator);
 bool are_numbers_or_gaps(const TableCells& fields, char separator);
 

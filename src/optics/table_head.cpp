@@ -19,7 +19,7 @@ bool has_mark(const std::string& line) {
   return std::ranges::any_of(marks, [&](char m) { return count_outside_quotes(line, m) > 0; });
 }
 
-/// Those that the line of names has, the one of the first row among several.
+/// The separators that the line of names has, the one of the first row among several.
 std::vector<char> possible_separators(const std::string& names, const std::string& row) {
   std::vector<char> in_names, alike;
   for (const char mark : marks) {
@@ -85,7 +85,7 @@ class HeadReader {
     for (first_ = next(0); first_ < lines_.size(); first_ = next(first_ + 1)) {
       const std::string& line = lines_[first_];
       if (line.size() == 5 && line.starts_with("sep="))
-        told_ = line[4];
+        given_ = line[4];
       else if (!read_seabass(content(first_)))
         return;
     }
@@ -105,7 +105,7 @@ class HeadReader {
     }
     if (key == "/units") units_ = texts_in(value);
     if (key == "/delimiter")
-      told_ = value == "comma" ? comma : value == "tab" ? tab : value == "space" ? blank : told_;
+      given_ = value == "comma" ? comma : value == "tab" ? tab : value == "space" ? blank : given_;
     if (key == "/missing" || key == "/below_detection_limit" || key == "/above_detection_limit")
       if (const auto number = finite_number(value)) head_.missing.push_back(*number);
     return true;
@@ -128,16 +128,16 @@ class HeadReader {
   [[nodiscard]] std::vector<Row> ways_to_read(const std::string& line) const {
     std::vector<Row> ways;
     for (const char separator : separators) {
-      if (told_ ? separator != *told_ : !has(line, separator)) continue;
+      if (given_ ? separator != *given_ : !has(line, separator)) continue;
       const auto fields = fields_if_any(line, separator);
       if (fields && are_numbers_or_gaps(*fields, separator))
         ways.push_back({separator, fields->size()});
     }
-    if (ways.empty() && !told_ && is_number(trimmed(line), comma)) ways.push_back({comma, 1});
+    if (ways.empty() && !given_ && is_number(trimmed(line), comma)) ways.push_back({comma, 1});
     return ways;
   }
 
-  /// Of the first line of several numbers, or else of one: the ways to read it.
+  /// The ways to read the first line of several numbers, or else of one.
   [[nodiscard]] std::vector<Row> first_numbers() const {
     std::vector<Row> alone;
     for (std::size_t i = next(first_); i < lines_.size(); i = next(i + 1)) {
@@ -154,7 +154,8 @@ class HeadReader {
     return alone;
   }
 
-  /// Whether rows are alike from a line on where tabs are blanks, and are not where they separate.
+  /// Returns whether rows are alike from a line on where tabs are blanks, and are not where they
+  /// separate.
   [[nodiscard]] bool mixes_tabs_with_blanks(std::size_t from, const Row& by_tabs) const {
     const auto all_have = [&](char separator, std::size_t count) {
       for (std::size_t i = from; i < lines_.size(); i = next(i + 1)) {
@@ -186,11 +187,12 @@ class HeadReader {
 
   // --- Lines of names ----------------------------------------------------------------------------
 
-  /// Whether a line has a comma, semicolon or tab as often as the line below it, which is a row.
+  /// Returns whether a line has a comma, semicolon or tab as often as the line below it, which is a
+  /// row.
   [[nodiscard]] bool separated_as_its_rows(std::size_t i) const {
     const std::string row = line_after(i);
     for (const char mark : marks) {
-      if (told_ ? mark != *told_ : count_outside_quotes(lines_[i], mark) == 0) continue;
+      if (given_ ? mark != *given_ : count_outside_quotes(lines_[i], mark) == 0) continue;
       const auto names = fields_if_any(lines_[i], mark), fields = fields_if_any(row, mark);
       if (!names || !fields || names->size() != fields->size()) continue;
       if (is_number(names->front().text, mark)) continue;
@@ -203,7 +205,8 @@ class HeadReader {
 
   void take_names_at(std::size_t i) {
     const int number = static_cast<int>(i) + 1;
-    const auto may_be = told_ ? std::vector{*told_} : possible_separators(lines_[i], line_after(i));
+    const auto may_be =
+        given_ ? std::vector{*given_} : possible_separators(lines_[i], line_after(i));
     if (may_be.size() > 1)
       throw InputError({{name_, number, 1,
                          fmt::format("are columns separated by a {} or by a {}?",
@@ -319,8 +322,8 @@ class HeadReader {
 
   const std::vector<std::string>& lines_;
   const std::string& name_;
-  std::size_t first_ = 0;     ///< the first line that is no comment and no header
-  std::optional<char> told_;  ///< the separator
+  std::size_t first_ = 0;      ///< the first line that is no comment and no header
+  std::optional<char> given_;  ///< the separator
   std::vector<std::string> fields_, units_;
   std::size_t fields_line_ = 0;
   TableHead head_;

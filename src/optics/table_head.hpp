@@ -1,4 +1,4 @@
-// Where a table begins: the names of its columns and what separates its fields.
+// The beginning of a table: the names of its columns and what separates its fields.
 //
 // Names stand in the first line, or in the last comment or text before the numbers, or behind
 // /fields= in the header of a SeaBASS file. They are as many as the fields of the first line of
@@ -21,7 +21,7 @@ struct TableHead {
   char separator = comma;
   std::size_t first_row = 0;    ///< the lines before it, counted from 0, are no rows
   std::vector<double> missing;  ///< they stand for values that are not known
-  bool has_numbers = false;     ///< whether some line holds nothing but numbers
+  bool has_numbers = false;     ///< true if some line holds nothing but numbers
 };
 
 /// Throws InputError where columns may be separated in two ways.

@@ -25,25 +25,27 @@ inline constexpr const char* what_a_table_is =
 /// Throws the InputError that says so, and nothing else, at the place of what was found.
 [[noreturn]] void raise_without_numbers(const Diagnostic& found);
 
-/// Of a whole text, with a plus or a minus before it or none.
+/// The number that a whole text is, with a plus or a minus before it or none.
 std::optional<double> finite_number(const std::string& text);
 
 /// The same of a number that holds one decimal comma and no point.
 std::optional<double> number_with_comma(const std::string& text);
 
-/// Whether its decimal point (a number that finite_number reads) is written.
+/// Returns whether its decimal point (a number that finite_number reads) is written.
 bool has_decimal_point(const std::string& text);
 
-/// Whether a number with a decimal comma may as well be one of thousands: 1,234 but not 0,123.
+/// Returns whether a number with a decimal comma may as well be one of thousands: 1,234 but not
+/// 0,123.
 bool may_be_thousands(const std::string& text);
 
 /// Half a unit of the last digit of a number as it is written.
 double half_last_digit(const std::string& text);
 
-/// Whether nothing stands there, or what programs write for what is not known: nan, NaN, -nan, NA.
+/// Returns whether nothing stands there, or what programs write for what is not known: nan, NaN,
+/// -nan, NA.
 bool is_gap(const std::string& text);
 
-/// What may help where a number is expected; may be empty.
+/// A hint for a place where a number is expected; may be empty.
 std::string how_to_write_number(const std::string& text);
 
 }  // namespace photic::optics

@@ -14,8 +14,8 @@ Sourced whitecap_fraction_monahan(double wind_speed_m_s);
 /// 6.33)^3 above 6.33 m/s.
 Sourced whitecap_fraction_stramska(double wind_speed_m_s);
 
-/// What a whitecap reflects, in the mean over its life, of light that comes from above: Koepke
-/// 1984, Appl. Opt. 23, 1816.
+/// The reflectance of a whitecap, in the mean over its life, for light that comes from above:
+/// Koepke 1984, Appl. Opt. 23, 1816.
 Sourced whitecap_reflectance_koepke(const Library& library, double wavelength_nm);
 /// Koepke's at short wavelengths, which falls to longer ones as Frouin et al. 1996 found.
 Sourced whitecap_reflectance_frouin(const Library& library, double wavelength_nm);

@@ -24,7 +24,7 @@
 
 namespace photic::run {
 
-/// How a run ended.
+/// The end of a run.
 struct Ending {
   std::string stopped_by = "photons";  ///< photons | target | time | interrupt
   double wall_time_s = 0;              ///< of this sitting
@@ -32,11 +32,11 @@ struct Ending {
   std::optional<tally::TotalsState> whole;  ///< before an incomplete batch, if the run had one
 };
 
-/// Decides after each batch whether the run goes on, tells of its progress, has checkpoints made.
+/// Decides after each batch whether the run goes on, reports its progress, has checkpoints made.
 class RunControl {
  public:
-  /// `photons_each`: of a batch, if it is to have fewer than begin evenly spread, so that a short
-  /// run has batches enough to tell its errors.
+  /// `photons_each`: the photons of a batch, if it is to have fewer than begin evenly spread, so
+  /// that a short run has batches enough to estimate its errors.
   RunControl(const scene::Simulation& asked, const RunOptions& options,
              std::optional<std::uint64_t> photons_each = {});
   RunControl(const scene::Simulation& asked, RunOptions&& options,
@@ -48,19 +48,19 @@ class RunControl {
     return batch * spread_photons_;
   }
   [[nodiscard]] std::uint64_t photons_of(std::uint64_t batch) const;
-  /// Whether a batch has as many photons as all but a last one.
+  /// Returns whether a batch has as many photons as all but a last one.
   [[nodiscard]] bool is_whole(const tally::BatchTally& batch) const {
     return batch.photons == batch_photons_;
   }
 
-  /// What the run goes on from: nothing yet, or where an earlier one stood.
+  /// The state that the run goes on from: nothing yet, or where an earlier one stood.
   [[nodiscard]] tally::Totals begin(const tally::Shape& shape) const;
   /// Throws InputError unless an earlier run began with the batch at hand, the first of this one.
   void check_start(const tally::Shape& shape, const tally::BatchTally& first) const;
 
   /// Batches below this one can begin: which rows rest in them is known.
   [[nodiscard]] std::uint64_t known_until(std::uint64_t merged_batches) const;
-  /// Which rows rest in a batch that can begin.
+  /// The rows that rest in a batch that can begin.
   [[nodiscard]] std::vector<bool> resting(const tally::Totals& totals, std::uint64_t batch,
                                           std::uint64_t merged_batches) const;
 
@@ -75,14 +75,15 @@ class RunControl {
   std::function<void(const tally::Totals&)> checkpoint;  ///< called when one is due
 
  private:
-  /// Whether rows rest that have met the target: where light that is not asked for is not walked.
+  /// Returns whether rows rest that have met the target: where light that is not asked for is not
+  /// walked.
   [[nodiscard]] bool rests() const;
   /// After how many batches the target is looked at next.
   [[nodiscard]] static std::uint64_t look_after(std::uint64_t merged_batches);
-  /// Whether it is after so many.
+  /// Returns whether it is looked at after so many.
   [[nodiscard]] static bool is_look(std::uint64_t merged_batches);
   [[nodiscard]] tally::Totals goes_on_from(const tally::Shape& shape) const;
-  void tell(const tally::Totals& totals);
+  void report(const tally::Totals& totals);
   void checkpoint_if_due(const tally::Totals& totals);
   [[nodiscard]] double elapsed_s() const;
 
@@ -90,7 +91,7 @@ class RunControl {
   const RunOptions& options_;
   std::uint64_t spread_photons_, batch_photons_, batches_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double told_s_ = -1, next_checkpoint_s_;
+  double reported_s_ = -1, next_checkpoint_s_;
 };
 
 /// The threads of one run.

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int repeat_count = 12;
 constexpr double reference_share = 0.5;  // of the time
-/// Of the squared distance from the reference, at most so much may be the reference's own.
+/// The largest share of the squared distance from the reference that may be the reference's own.
 constexpr double largest_own_share = 0.25;
 
 constexpr std::uint64_t first_trial_photons = 100;
@@ -144,7 +144,7 @@ class Bench {
     return out;
   }
 
-  /// Of the totals of a run.
+  /// The result of the totals of a run.
   [[nodiscard]] tally::Result result(const tally::Totals& totals) const {
     tally::Result out = estimator::describe(*model_);
     totals.fill(out);
@@ -157,7 +157,7 @@ class Bench {
   std::unique_ptr<estimator::Model> model_;
 };
 
-/// How many photons take this CPU time, by trials that grow until they take long enough to tell.
+/// The number of photons that take this CPU time, by trials that grow until they last long enough.
 std::uint64_t photons_in(double cpu_s, double trial_cpu_s, Bench& bench, std::uint64_t number) {
   std::uint64_t photons = first_trial_photons;
   double took = bench.run(number, photons).cpu_s;
@@ -207,8 +207,8 @@ void find_compared(Comparison& comparison) {
 }
 
 Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
-  const auto tell = [&](const std::string& line) {
-    if (options.tell) options.tell(line);
+  const auto report = [&](const std::string& line) {
+    if (options.report) options.report(line);
   };
   if (const auto reason = scene::bidirectional_lacks(scene))
     throw InputError(
@@ -218,7 +218,7 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   Comparison out;
   out.repeats = repeat_count;
   out.aim = aim_of(scene.simulation);
-  tell("the reference");
+  report("the reference");
   const double albedo = estimator::highest_albedo(estimator::make_model(scene).medium);
   const Candidate best_known = bidirectional(scene, estimator::usual_walk_attenuation(albedo));
   out.reference_name = best_known.name;
@@ -232,12 +232,12 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   const double cpu_s = reference.cpu_s * (1 - reference_share) / reference_share /
                        static_cast<double>(out.candidates.size());
   for (std::size_t i = 0; i < out.candidates.size(); ++i) {
-    tell(out.candidates[i].name);
+    report(out.candidates[i].name);
     measure(out.candidates[i], i, scene, out, cpu_s, options);
   }
   find_compared(out);
 
-  tell("what auto chooses");
+  report("what auto chooses");
   scene::Scene open = scene;
   open.simulation.estimator = scene::Estimator::automatic;
   open.simulation.estimator_reason.reset();

@@ -1,5 +1,5 @@
-// Which estimator a scene is best simulated with, measured: repeated short runs of each against a
-// long one. A run's own error bar would flatter estimators whose large scores are rare.
+// The best estimator for a scene, as measured: repeated short runs of each against a long one. A
+// run's own error bar would flatter estimators whose large scores are rare.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@
 
 namespace photic::run {
 
-/// What an estimator does in one gate.
+/// The performance of an estimator in one gate.
 struct Merit {
   double relative_variance = 0;  ///< of the mean over one repeat, squared bias included
   double figure_of_merit = 0;    ///< 1 / (relative variance * CPU time) [1/s]
@@ -55,7 +55,7 @@ struct Comparison {
   std::vector<Candidate> candidates;
   std::vector<bool> compared;  ///< gates converged in the reference and known of all candidates
   Aim aim = Aim::all_gates;    ///< of the scene, by which one is recommended
-  scene::Simulation chosen_by_auto{};  ///< what estimator = "auto" takes, and why
+  scene::Simulation chosen_by_auto{};  ///< the choice of estimator = "auto", and the reason
 };
 
 /// A candidate's figure of merit [1/s] over the compared gates [first, last) of the flat cells, by
@@ -70,12 +70,12 @@ const Candidate* best_of(const Comparison& comparison);
 struct BenchOptions {
   double time_s = 60;  ///< wall time: half for the reference, the rest for the candidates
   int threads = 0;     ///< 0: all cores
-  const std::atomic<bool>* interrupt = nullptr;  ///< set to end it at the next batch end
-  std::function<void(const std::string&)> tell;  ///< what begins now, one line
+  const std::atomic<bool>* interrupt = nullptr;    ///< set to end it at the next batch end
+  std::function<void(const std::string&)> report;  ///< called with the step that begins, one line
 };
 
-/// Measures all candidates; none if interrupted. How much is simulated goes by the clock, so no two
-/// answers are alike. Throws what run() throws.
+/// Measures all candidates; none if interrupted. The amount of simulation goes by the clock, so no
+/// two answers are alike. Throws what run() throws.
 std::optional<Comparison> compare_estimators(const scene::Scene& scene,
                                              const BenchOptions& options);
 

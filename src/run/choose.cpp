@@ -39,7 +39,7 @@ std::optional<FreeMeetings> open_free_meetings(const estimator::Model& model,
   return usual_free_meetings(model, bidirectional, options);
 }
 
-/// Of a model, as a scene has it that names the bidirectional estimator alone.
+/// The settings of a model whose scene names the bidirectional estimator alone.
 scene::Simulation usual_bidirectional(const estimator::Model& model) {
   scene::Simulation out = model.scene.simulation;
   out.estimator = scene::Estimator::bidirectional;
@@ -47,7 +47,7 @@ scene::Simulation usual_bidirectional(const estimator::Model& model) {
   return out;
 }
 
-/// What contends: those settings that the scene leaves open.
+/// The contenders: the settings that the scene leaves open.
 std::vector<Contender> contenders(const estimator::Model& model, const RunOptions& options) {
   const scene::Simulation& asked = model.scene.simulation;
   std::vector<double> shares =
@@ -73,7 +73,7 @@ std::vector<Contender> contenders(const estimator::Model& model, const RunOption
   return out;
 }
 
-std::string told(const Standing& standing) {
+std::string text_of(const Standing& standing) {
   std::string out = standing.rows_unseen > 0
                         ? fmt::format("no light in {} channels", standing.rows_unseen)
                         : fmt::format("{:.3g}", standing.times_the_work);
@@ -81,7 +81,7 @@ std::string told(const Standing& standing) {
   return out;
 }
 
-/// What is told of how the contenders did beside the best one.
+/// The report on how the contenders did beside the best one.
 std::string reason(const std::vector<Contender>& all, const Outcome& outcome,
                    const scene::Simulation& asked) {
   const std::string what =
@@ -93,13 +93,13 @@ std::string reason(const std::vector<Contender>& all, const Outcome& outcome,
   std::string out = fmt::format(
       "pilot runs of {} to {} photons; {}, against the best:", least.photons, most.photons, what);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    out += fmt::format("{} {} {}", i == 0 ? "" : ",", all[i].name, told(outcome.standing[i]));
+    out += fmt::format("{} {} {}", i == 0 ? "" : ",", all[i].name, text_of(outcome.standing[i]));
   }
   return out;
 }
 
-/// The estimator and settings of the best of those that contend. Where no pilot saw anything: of
-/// what finds light that is hard to find.
+/// The estimator and settings of the best of those that contend. If no pilot saw anything: those
+/// that find light that is hard to find.
 scene::Simulation best_of(const estimator::Model& model, const std::vector<Contender>& all,
                           const scene::Simulation& where_unseen, const RunOptions& options) {
   const Outcome outcome = contend(model, all, options);
@@ -109,7 +109,7 @@ scene::Simulation best_of(const estimator::Model& model, const std::vector<Conte
   return best;
 }
 
-/// The model whose pilots tell whether walks are to be free. They follow the light in the water
+/// The model whose pilots decide whether walks are to be free. They follow the light in the water
 /// alone, weakened by the air: gates above the sea would outvote those below.
 estimator::Model without_light_of_air(estimator::Model model) {
   model.air.reset();

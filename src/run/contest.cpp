@@ -17,8 +17,8 @@
 namespace photic::run {
 namespace {
 
-// Pilots have many small batches, which tell their errors: of the bidirectional estimator so many
-// photons each, fewer for a run of few.
+// Pilots have many small batches, for good estimates of their errors: those of the bidirectional
+// estimator have so many photons each, fewer for a run of few.
 constexpr std::uint64_t min_in_batch = 16, max_in_batch = 64;
 /// Photons of the forward estimator cost so much less that its pilots have more of them.
 constexpr std::uint64_t forward_factor = 8;
@@ -29,9 +29,9 @@ constexpr std::uint64_t first_batches = 16, max_batches = 160;
 /// none knows more.
 constexpr double known_at_last = 0.01;
 
-/// Of the operations of the run, which pilots take at most.
+/// The largest share of the operations of the run that pilots take.
 constexpr double pilots_share = 0.1;
-/// Who needs so many times the work of the best after a stage does not come back.
+/// A contender that needs so many times the work of the best after a stage does not come back.
 constexpr double clearly_worse = 8;
 /// Pilots for a run that ends by the clock alone have so many batches.
 constexpr std::uint64_t usual_batches = 64;
@@ -39,7 +39,7 @@ constexpr std::uint64_t usual_batches = 64;
 /// Sums that take more begin anew in each stage: those of several contenders are kept at once.
 constexpr double max_kept_bytes = 1e8;
 
-/// What a run costs, in units of a forward photon's collision: a photon, whatever becomes of it,
+/// The cost of a run, in units of a forward photon's collision: a photon, whatever becomes of it,
 /// which is all there is in water that hardly scatters; a collision; a score offered to the
 /// tallies. Fitted to CPU times of lanes (docs/decisions/0038).
 struct Costs {
@@ -47,8 +47,8 @@ struct Costs {
 };
 constexpr Costs forward_costs{1, 1, 1.4}, bidirectional_costs{1, 6.5, 1.8};
 
-/// What pilots run in, whichever engine runs after them: that choices are the same, and soon made.
-/// Scores of lanes are the same by any instructions, and so but for rounding are their sums.
+/// The engine of pilots, whichever engine runs after them: choices are to be the same, and soon
+/// made. Scores of lanes are the same by any instructions, and so but for rounding are their sums.
 Isa engine_of_pilots(const RunOptions& options) {
   return options.lanes.value_or(isas_here().back());
 }
@@ -102,7 +102,7 @@ class Trial {
   [[nodiscard]] const Pilot& pilot() const { return pilot_; }
   [[nodiscard]] std::uint64_t photons() const { return photons_; }
   [[nodiscard]] double scores() const { return scores_; }
-  /// Of all stages.
+  /// The operations of all stages.
   [[nodiscard]] double operations() const { return operations_; }
   [[nodiscard]] double cost_per_photon() const {
     return pilot_.cost / static_cast<double>(photons_);
@@ -177,7 +177,7 @@ class Contest {
     staying_ = std::move(stay);
   }
 
-  /// Operations of the run, by what the best pilot tells; none: it ends by the clock.
+  /// The operations of the run, as the best pilot predicts them; none: it ends by the clock.
   [[nodiscard]] std::optional<double> expected_operations() const {
     std::optional<double> out;
     if (asked_.photons) {

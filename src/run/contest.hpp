@@ -18,7 +18,7 @@ struct Contender {
   scene::Simulation simulation;
 };
 
-/// How one of them did.
+/// The standing of one of them.
 struct Standing {
   double times_the_work = 1;    ///< against the best one of the last stage that it was in
   std::uint64_t photons = 0;    ///< that it was tried with

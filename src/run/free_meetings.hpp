@@ -1,4 +1,4 @@
-// How often rays of free walks meet, where a scene does not say so.
+// The rate at which rays of free walks meet, where a scene does not set it.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ struct FreeMeetings {
   double telescope = 0, laser = 0;
 };
 
-/// Such that either kind makes some tens of samples in each set of walks, as a pilot run of a few
-/// walks of the bidirectional estimator tells; none: no such walk can be free. Throws what run()
+/// The rates with which either kind makes some tens of samples in each set of walks, by a pilot run
+/// of a few walks of the bidirectional estimator; none: no such walk can be free. Throws what run()
 /// throws.
 std::optional<FreeMeetings> usual_free_meetings(const estimator::Model& model,
                                                 const scene::Simulation& bidirectional,

@@ -10,7 +10,8 @@ namespace {
 /// scores, and larger ones have not come yet. No single score is taken to carry more than this
 /// share of the squared error (docs/decisions/0038).
 constexpr double largest_share_of_squared_error = 0.05;
-/// Where nothing was scored, as where one score is all: who saw that one is no worse.
+/// The squared error of a gate without scores, equal to that of one score: a pilot that saw one is
+/// no worse.
 constexpr double unknown_squared_error = 1 / largest_share_of_squared_error;
 /// No error is known to be smaller: they are differences of rounded sums.
 constexpr double min_squared_error = 1e-16;

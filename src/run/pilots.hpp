@@ -1,4 +1,4 @@
-// What short runs tell of the estimators that they were made with.
+// The results of short runs, by estimator.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,8 @@ std::vector<bool> gates_compared(const std::vector<Pilot>& pilots, double known_
 /// Logarithm of the work (rule.hpp) in the gates that are compared; at least one is.
 double badness(const Pilot& pilot, const std::vector<bool>& compared, Aim aim);
 
-/// Which saw light in most channels of telescopes, and of several such the one of least badness;
-/// none if none saw any.
+/// The pilot that saw light in most channels of telescopes, and of several such the one of least
+/// badness; none if none saw any.
 std::optional<std::size_t> best_of(const std::vector<Pilot>& pilots,
                                    const std::vector<bool>& compared, Aim aim);
 

@@ -8,7 +8,7 @@
 
 namespace photic::run {
 
-/// What is to be made small.
+/// The quantity to be made small.
 enum class Aim {
   all_gates,    ///< the error that all gates have at equal cost
   worst_gates,  ///< the cost until every gate has met a target

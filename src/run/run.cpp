@@ -18,14 +18,15 @@ namespace {
 
 constexpr double tolerated_cut = 1e-3;  // of a gate, by max_order
 
-// Of the ledger's sum: it may be off by so much, and, since it scatters, by so many of its standard
-// errors, which ten batches tell, but for rare large weights: far off is off all the same.
+// Tolerances of the ledger's sum: it may be off by so much, and, since it scatters, by so many of
+// its standard errors. Ten batches suffice for these, but for rare large weights: far off is off
+// all the same.
 constexpr double tolerated_excess = 0.02;
 constexpr double tolerated_errors = 4;
 constexpr double far_off = 0.10;
 constexpr std::uint64_t batches_of_ledger = 10;
 
-/// Why weights scatter, and what to do.
+/// The reason why weights scatter, and a remedy.
 std::string about_weights(const scene::Simulation& s) {
   if (s.estimator == scene::Estimator::bidirectional)
     return "weights that grow from vertex to vertex, since walk_attenuation is small for water "
@@ -36,8 +37,8 @@ std::string about_weights(const scene::Simulation& s) {
   return "tools or conversions: more photons are needed, or estimator = \"bidirectional\"";
 }
 
-/// In expectation the ledger sums to 1. Where it does not, photons that carry much weight are too
-/// rare to have come (docs/theory.md, section 5).
+/// In expectation the ledger sums to 1. If it does not, photons that carry much weight are too rare
+/// to have come (docs/theory.md, section 5).
 void warn_of_ledger(tally::Result& result, const scene::Simulation& simulation) {
   if (result.batches < batches_of_ledger) return;
   const double excess = std::abs(result.ledger.sum() - 1);

@@ -14,7 +14,7 @@
 
 namespace photic::run {
 
-/// How far a run is, told at batch ends.
+/// The progress of a run, reported at batch ends.
 struct Progress {
   std::uint64_t photons = 0;
   std::uint64_t photons_before = 0;  ///< of them, from earlier sittings
@@ -24,17 +24,17 @@ struct Progress {
   std::size_t gates_converged = 0;  ///< over all telescopes and channels
   std::size_t gates = 0;            ///< those that light can reach
   double worst_error = 0;           ///< the largest relative error of these
-  std::optional<double> target;     ///< what it is to come to
+  std::optional<double> target;     ///< its aim
 };
 
-/// Where an earlier run of the same scene stood.
+/// The state at the end of an earlier run of the same scene.
 struct Start {
   tally::TotalsState state;  ///< as Result::state has it
   double wall_time_s = 0;    ///< that it took so far
-  std::string file;          ///< what messages call it
+  std::string file;          ///< its name in messages
 };
 
-/// The result so far, told now and then in case the run does not live to its end.
+/// The result so far, handed out now and then in case the run does not live to its end.
 struct Checkpoints {
   std::function<void(const tally::Result&)> write;  ///< called as `progress` is
   double first_s = 60;                              ///< after the start of this sitting

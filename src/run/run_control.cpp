@@ -11,7 +11,7 @@ namespace {
 
 // Batches until the target is first looked at, which doubles until it is so many.
 constexpr std::uint64_t first_look = 32, between_looks = 128;
-constexpr double seconds_between_tellings = 0.2;
+constexpr double seconds_between_reports = 0.2;
 
 [[noreturn]] void refuse(const Start& start, const std::string& reason,
                          const std::string& suggestion) {
@@ -99,7 +99,7 @@ void RunControl::check_start(const tally::Shape& shape, const tally::BatchTally&
 
 bool RunControl::ends(const tally::Totals& totals, std::uint64_t merged_batches) {
   ending.wall_time_s = elapsed_s();
-  tell(totals);
+  report(totals);
   const auto because = [this](const char* reason) {
     ending.stopped_by = reason;
     return true;
@@ -115,10 +115,11 @@ bool RunControl::ends(const tally::Totals& totals, std::uint64_t merged_batches)
   return false;
 }
 
-void RunControl::tell(const tally::Totals& totals) {
+void RunControl::report(const tally::Totals& totals) {
   const double now = ending.wall_time_s;
-  if (!options_.progress || (told_s_ >= 0 && now - told_s_ < seconds_between_tellings)) return;
-  told_s_ = now;
+  if (!options_.progress || (reported_s_ >= 0 && now - reported_s_ < seconds_between_reports))
+    return;
+  reported_s_ = now;
   Progress progress;
   progress.photons = totals.photons();
   progress.photons_before = options_.start ? options_.start->state.photons : 0;

@@ -15,7 +15,7 @@ namespace photic::scene {
 namespace {
 
 constexpr double m3_per_cm3 = 1e-6;
-/// The least that a CSV may tell. A tape6 prints less as 0 where the air is thin.
+/// The least density that a CSV may give. A tape6 prints less as 0 where the air is thin.
 constexpr double min_per_cm3 = 1;
 
 optics::DataTable::Column column(const std::string& name, const std::vector<double>& values,
@@ -45,7 +45,7 @@ optics::DataTable table_of(const optics::AirProfile& air, const std::string& nam
 
 constexpr double min_nm = 200, max_nm = 1100;
 
-/// What MODTRAN calls the transmittance by all there is, and by what Photic has itself.
+/// MODTRAN's names of the transmittance by all there is, and by the parts that Photic has itself.
 constexpr const char* of_all = "COMBIN TRANS";
 constexpr const char* of_profile[] = {"MOLEC SCAT", "O3 TRANS", "AER+CLD TRANS"};
 

@@ -1,4 +1,4 @@
-// What files tell of the air that a user gives.
+// The air that a user gives in files.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ inline constexpr double opaque_depth = 99;
 /// Wavelengths are those that Photic has air for. Throws InputError.
 optics::DataTable read_gas_depths(const std::string& path);
 
-/// Whether the levels of a profile have columns of aerosols.
+/// Returns whether the levels of a profile have columns of aerosols.
 bool has_own_aerosols(const Atmosphere& air);
 
 }  // namespace photic::scene

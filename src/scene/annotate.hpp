@@ -1,4 +1,4 @@
-// What the schema tells editors of a key, besides what its value may be.
+// The hints that the schema gives to editors about a key, besides the values it may have.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace photic::scene {
 
-/// Adds `description`, `x-unit` (as unit_of tells it; "" leaves it out) and `x-level` to the schema
-/// of a key.
+/// Adds `description`, `x-unit` (as unit_of returns it; "" leaves it out) and `x-level` to the
+/// schema of a key.
 inline void annotate(Node& schema, const std::string& meaning, const std::string& unit,
                      Level level) {
   schema.add("description", to_node(meaning));

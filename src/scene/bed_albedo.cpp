@@ -13,7 +13,7 @@
 namespace photic::scene {
 namespace {
 
-/// Where an albedo is known. What it does not depend on has no nodes.
+/// The nodes at which an albedo is known. A variable that it does not depend on has no nodes.
 struct AlbedoGrid {
   std::vector<double> nm, deg;
   std::vector<double> albedo;  ///< [nm][deg]
@@ -37,7 +37,7 @@ AlbedoGrid grid_of(const Bottom& bottom) {
   return grid;
 }
 
-/// The straight line between what two neighbours have, `at` telling it by their number.
+/// Interpolates linearly between two neighbours; `at` returns the value of a node by its number.
 template <class At>
 double between_nodes(const std::vector<double>& nodes, double x, const At& at) {
   if (nodes.empty()) return at(0);
@@ -79,7 +79,7 @@ std::optional<double> angle_lit_by_one_alone(const std::optional<Bottom>& one,
   return found == angles.end() ? std::nullopt : std::optional(*found);
 }
 
-std::string albedo_told(const Bottom& bottom) {
+std::string reported_albedo(const Bottom& bottom) {
   const AlbedoGrid grid = grid_of(bottom);
   const auto [least, most] = std::ranges::minmax(grid.albedo);
   const std::string values = least == most

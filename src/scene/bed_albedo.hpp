@@ -14,7 +14,7 @@ namespace photic::scene {
 /// wavelength. The bed is that of a scene that has been read; the angle is from 0 to 90.
 [[nodiscard]] double albedo_of(const Bottom& bottom, double wavelength_nm, double zenith_deg);
 
-/// Whether it depends on that angle.
+/// Returns whether it depends on that angle.
 [[nodiscard]] bool depends_on_angle(const Bottom& bottom);
 
 /// A zenith angle at which a bed reflects light of a wavelength and another one none of it, if
@@ -25,6 +25,6 @@ namespace photic::scene {
 
 /// The albedo, or from where to where it goes, and where that comes from: "0.1, given",
 /// "0.07 to 0.24, given in /…/sand.csv".
-[[nodiscard]] std::string albedo_told(const Bottom& bottom);
+[[nodiscard]] std::string reported_albedo(const Bottom& bottom);
 
 }  // namespace photic::scene

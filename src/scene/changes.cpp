@@ -69,7 +69,7 @@ bool is_value(const Node& node) {
   return !node.as<Date>() && (!number || std::isfinite(*number));
 }
 
-/// What is no value is left out: it is refused where its path is looked at.
+/// A node that is no value is left out: it is refused where its path is looked at.
 std::optional<Refusal> check(const Changes&, const Node& node, std::vector<Change>& value) {
   const auto* table = node.as<Node::Table>();
   if (!table)

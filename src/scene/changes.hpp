@@ -11,8 +11,8 @@
 
 namespace photic::scene {
 
-/// A table of paths in the style of --set and of values (a rule as those of rules.hpp). Where the
-/// paths lead is for scene/environments.hpp.
+/// A table of paths in the style of --set and of values (a rule as those of rules.hpp). The targets
+/// of the paths are for scene/environments.hpp.
 struct Changes {
   using Value = std::vector<Change>;
 };
@@ -21,14 +21,14 @@ std::optional<Refusal> check(const Changes& rule, const Node& node, std::vector<
 Node schema_of(const Changes& rule);
 Node to_node(const std::vector<Change>& value);
 
-/// Whether a path leads to what may differ in environments: sea, optics, bed, film and air.
+/// Returns whether a path leads to what may differ in environments: sea, optics, bed, film and air.
 bool leads_to_medium(const std::string& path);
 inline constexpr const char* media = "sea., optics., bottom., oil. or atmosphere.";
 inline constexpr const char* may_differ =
     "only the water, the bed, a film of oil and the air may differ, since the histories are the "
     "same";
 
-/// Why a path must not be changed in other water, as far as it alone tells.
+/// The reason why a path must not be changed in other water, as far as the path alone shows.
 std::optional<Refusal> check_path(const std::string& path);
 
 /// The same of a path and its value.
@@ -38,7 +38,7 @@ std::optional<Refusal> check_change(const std::string& path, const Node& value);
 /// optical depth of aerosols that of the other key, aerosol = "none" that of both.
 void take_out_replaced(const std::vector<std::string>& paths, Node& document);
 
-/// Whether scenes can hold the value: no dates, and finite numbers.
+/// Returns whether scenes can hold the value: no dates, and finite numbers.
 bool is_value(const Node& node);
 
 }  // namespace photic::scene

@@ -20,7 +20,7 @@ constexpr double max_steps = 1000;
 
 struct Steps {
   double from{}, to{}, step{};
-  /// How many: `to` counts if rounding alone keeps it from being one.
+  /// The number of steps: `to` counts if rounding alone keeps it from being one.
   [[nodiscard]] double count() const { return std::floor((to - from) / step + 1e-9) + 1; }
 };
 

@@ -18,8 +18,8 @@ std::optional<Refusal> check(const WavelengthOrSteps& rule, const Node& node, do
 Node schema_of(const WavelengthOrSteps& rule);
 
 /// Puts in place of each channel of a scene's document whose centre goes in steps one channel for
-/// each step, which has its centre behind its name: "fluorescence_385". Those that are not as they
-/// should be are left for the reader to refuse.
+/// each step, which has its centre behind its name: "fluorescence_385". Malformed channels are left
+/// for the reader to refuse.
 void expand_channels(Node& document);
 
 }  // namespace photic::scene

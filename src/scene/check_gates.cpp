@@ -62,9 +62,9 @@ bool check_interval(const Gates::Interval& interval, const Keys& keys, Findings&
   return false;
 }
 
-/// Of gates by depth over a bed that reflects: light that goes straight there and back all comes at
-/// one time.
-void tell_of_bed(const Gates::Interval& depth, double bed, const Keys& keys, Findings& findings) {
+/// Remarks on gates by depth over a bed that reflects: light that goes straight there and back all
+/// comes at one time.
+void remark_on_bed(const Gates::Interval& depth, double bed, const Keys& keys, Findings& findings) {
   const std::string at = fmt::format("the sea bed at {} m", plain_number(bed));
   if (depth.max <= bed)
     return findings.remark(keys.max, "the last gate ends before the light of " + at +
@@ -107,7 +107,7 @@ void check_depth_gates(const Scene& scene, const Keys& keys, Findings& findings)
   }
   const auto bed = sea_bed_m(scene, findings);
   if (!bed) return;
-  if (scene.bottom) return tell_of_bed(depth, *bed, keys, findings);
+  if (scene.bottom) return remark_on_bed(depth, *bed, keys, findings);
   if (depth.min >= *bed)
     findings.add(keys.min,
                  fmt::format("all gates lie below the sea bed at {} m", plain_number(*bed)), "");

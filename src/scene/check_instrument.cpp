@@ -38,7 +38,7 @@ void check_height(const std::string& path, const char* what, double z, const Sce
                  "raise it, or lower the last layer's bottom_depth_m");
 }
 
-/// Of a disc, a lens or a detector. From memory: the largest mirrors have 10 m.
+/// Remarks on the size of a disc, a lens or a detector. From memory: the largest mirrors have 10 m.
 void remark_size(const std::string& path, double diameter_m, Findings& findings) {
   constexpr double largest_m = 20;
   if (findings.good({path}) && diameter_m > largest_m)

@@ -69,21 +69,21 @@ void check_backscatter_fraction(const IopEntry& entry, const std::string& path,
   }
 }
 
-/// The phase function is given, or told by all entries' bb_per_m.
+/// The phase function is given, or follows from all entries' bb_per_m.
 void check_phase_source(const Layer& layer, const std::string& layer_path, Findings& findings) {
   const std::string iop = below(layer_path, "iop");
   const std::string function = below(layer_path, "phase_function");
-  const bool told = layer.iop.front().bb_per_m.has_value();
+  const bool by_backscatter = layer.iop.front().bb_per_m.has_value();
   for (std::size_t k = 0; k < layer.iop.size(); ++k) {
-    if (layer.iop[k].bb_per_m.has_value() != told)
+    if (layer.iop[k].bb_per_m.has_value() != by_backscatter)
       findings.add(below(iop, k), "'bb_per_m' is in some entries of the iop and not in others",
                    "give it in all or in none");
     check_backscatter_fraction(layer.iop[k], below(iop, k), findings);
   }
-  if (told && layer.phase_function)
+  if (by_backscatter && layer.phase_function)
     findings.add(function, "'bb_per_m' and 'phase_function' exclude each other in [[sea.layer]]",
                  "keep one of them");
-  if (!told && !layer.phase_function)
+  if (!by_backscatter && !layer.phase_function)
     findings.add(function, "'phase_function' is missing in [[sea.layer]]",
                  std::string("add it: ") + phase_function_meaning);
 }
@@ -144,7 +144,7 @@ constexpr Plenty plenties[] = {
     {"cdom_a440_per_m", &Layer::cdom_a440_per_m, 1e2, "1/m", "the brownest rivers have tens"},
     {"minerals_g_m3", &Layer::minerals_g_m3, 1e4, "g/m3", "what has more is mud"}};
 
-/// What layers that one profile was cut into have in common is told once, with the greatest value.
+/// A remark that layers cut from one profile share is made once, with the greatest value.
 void remark_plenty(const std::vector<Layer>& layers, const Plenty& plenty, Findings& findings) {
   std::map<std::tuple<std::string, int, int>, std::pair<double, std::string>> greatest;
   for (std::size_t i = 0; i < layers.size(); ++i) {

@@ -11,7 +11,7 @@
 namespace photic::scene {
 namespace {
 
-/// What is neither flat nor a sea, and would be lost in the rounding of floats.
+/// Refuses what is neither flat nor a sea, and would be lost in the rounding of floats.
 void check_size(const Surface& surface, Findings& findings) {
   constexpr double min_variance = 1e-6, min_m_s = 1e-3;
   const auto check = [&](const char* key, double value, double least, const char* what,
@@ -31,7 +31,7 @@ void check_size(const Surface& surface, Findings& findings) {
 /// Walks through waves of one direction have to be translated to meet, which flat rays of tilted
 /// lenses are not (instrument::flattest_translated, 11.5 degrees).
 constexpr double flattest_degrees = 12;
-/// Whether a telescope in the air sees rays flatter than that.
+/// Returns whether a telescope in the air sees rays flatter than that.
 bool looks_flat(const Telescope& t) {
   if (t.position_m.z < 0) return false;
   const double distance = t.detector_distance_m();
@@ -41,7 +41,7 @@ bool looks_flat(const Telescope& t) {
   return off_vertical + view > (90 - flattest_degrees) * radian_per_degree;
 }
 
-/// What knows the flat surface alone.
+/// Refuses settings for which only the flat surface is known.
 void check_simulation(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
   if (const auto reason = bidirectional_lacks(scene);

@@ -18,9 +18,9 @@ void check_atmosphere(const Scene& scene, Findings& findings);
 void check_bottom(const Scene& scene, Findings& findings);
 void check_instrument(const Scene& scene, Findings& findings);
 void check_gates(const Scene& scene, Findings& findings);
-/// Whether the estimator has what the scene asks for.
+/// Checks that the estimator has what the scene asks for.
 void check_estimator(const Scene& scene, Findings& findings);
-/// How much the tallies need.
+/// Checks the memory that the tallies need.
 void check_memory(const Scene& scene, Findings& findings);
 
 /// Depth of the sea bed, if there is one and nothing is wrong with it.

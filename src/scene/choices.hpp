@@ -1,6 +1,6 @@
-// What a scene chooses among a few: every value with its word in scene files and its meaning,
-// listed once. Keys (describe_*.hpp), messages, results and the schema take their words from
-// here.
+// The choices of a scene among a few values: every value with its word in scene files and its
+// meaning, listed once. Keys (describe_*.hpp), messages, results and the schema take their words
+// from here.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ constexpr auto alternatives(FilterShape) {
        {gaussian, "gaussian", "a Gaussian of that full width at half maximum"}});
 }
 
-/// What fills in the choices of the water's optics that are not given (presets.hpp).
+/// The set that fills in the choices of the water's optics that are not given (presets.hpp).
 enum class OpticsSet { modern, paper };
 constexpr auto alternatives(OpticsSet) {
   using enum OpticsSet;
@@ -73,7 +73,7 @@ constexpr auto alternatives(MineralOptics) {
        {mie, "mie", "the paper's spheres by Mie theory"}});
 }
 
-/// Whether Raman light and chlorophyll's have spectra.
+/// The emission of Raman light and chlorophyll's fluorescence: with spectra, or as lines.
 enum class Emission { spectra, lines };
 constexpr auto alternatives(Emission) {
   using enum Emission;
@@ -81,7 +81,7 @@ constexpr auto alternatives(Emission) {
                                                {lines, "lines", "each at one wavelength"}});
 }
 
-/// How dissolved organic matter fluoresces.
+/// The fluorescence of dissolved organic matter.
 enum class CdomFluorescence { hawes, table };
 constexpr auto alternatives(CdomFluorescence) {
   using enum CdomFluorescence;
@@ -114,7 +114,7 @@ constexpr auto alternatives(PhaseModel) {
        {mixture, "mixture", "several of these by their shares: components"}});
 }
 
-/// How steep the facets of the sea surface are.
+/// The distribution of the slopes of the sea surface's facets.
 enum class SurfaceModel { flat, cox_munk, gaussian, paper };
 constexpr auto alternatives(SurfaceModel) {
   using enum SurfaceModel;
@@ -125,7 +125,7 @@ constexpr auto alternatives(SurfaceModel) {
        {paper, "paper", "PREMAR-2F's: slopes only along the wind, rougher than the sea"}});
 }
 
-/// How much of the sea whitecaps cover by the wind.
+/// The share of the sea that whitecaps cover, by the wind.
 enum class WhitecapLaw { monahan1980, stramska2003 };
 constexpr auto alternatives(WhitecapLaw) {
   using enum WhitecapLaw;
@@ -134,7 +134,7 @@ constexpr auto alternatives(WhitecapLaw) {
        {stramska2003, "stramska2003", "Stramska & Petelski 2003, none below 6.33 m/s"}});
 }
 
-/// How much light whitecaps reflect.
+/// The reflectance of whitecaps.
 enum class WhitecapReflectance { koepke1984, frouin1996 };
 constexpr auto alternatives(WhitecapReflectance) {
   using enum WhitecapReflectance;
@@ -168,7 +168,7 @@ constexpr auto alternatives(Estimator) {
         "photons followed by chance alone and counted on the detector, to verify the others"}});
 }
 
-/// How light reaches the detector.
+/// The way of light to the detector.
 enum class Reception { ray, overlap };
 constexpr auto alternatives(Reception) {
   using enum Reception;
@@ -177,7 +177,7 @@ constexpr auto alternatives(Reception) {
        {overlap, "overlap", "the mean over the lens, as if it were lit uniformly"}});
 }
 
-/// How the photons or walks of a batch begin.
+/// The starts of the photons or walks of a batch.
 enum class Sampling { quasi_random, random };
 constexpr auto alternatives(Sampling) {
   using enum Sampling;
@@ -188,7 +188,7 @@ constexpr auto alternatives(Sampling) {
         "the water"}});
 }
 
-/// Which collisions are scored at points chosen in a telescope's view.
+/// The collisions that are scored at points chosen in a telescope's view.
 enum class LocalForcedCollisions { conversions, all };
 constexpr auto alternatives(LocalForcedCollisions) {
   using enum LocalForcedCollisions;
@@ -197,7 +197,7 @@ constexpr auto alternatives(LocalForcedCollisions) {
        {all, "all", "those of scattered light too"}});
 }
 
-/// What happens to photons below the weight threshold.
+/// The fate of photons below the weight threshold.
 enum class AtThreshold { roulette, end, analog_absorption };
 constexpr auto alternatives(AtThreshold) {
   using enum AtThreshold;
@@ -222,7 +222,7 @@ template <class E>
 std::string word_of(const std::optional<E>& value) {
   return value ? word_of(*value) : "";
 }
-/// Where the choice is among names, they are the words.
+/// Names that are chosen are words themselves.
 inline std::string word_of(std::string name) { return name; }
 
 /// Several values of a choice.

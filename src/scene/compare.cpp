@@ -14,7 +14,7 @@ namespace {
 void compare(const Node* left, const Node* right, const std::string& path,
              std::vector<Difference>& out);
 
-/// Above it, a column of numbers is told as a whole.
+/// Above it, a column of numbers is reported as a whole.
 constexpr std::size_t max_elements = 4;
 
 /// Elements of two arrays that are equally long.

@@ -15,7 +15,7 @@ class Cutter {
       allowed_.push_back(allowed_departure(varying, span, tolerance));
   }
 
-  /// Where a layer from `top` down ends, at `bottom` at the deepest.
+  /// The end of a layer from `top` down, at `bottom` at the deepest.
   [[nodiscard]] double end_of(double top, double bottom) const {
     if (holds(top, bottom)) return bottom;
     double good = top, bad = bottom;
@@ -73,7 +73,7 @@ std::optional<std::vector<double>> cut(const std::vector<Varying>& profiles, con
   while (top < span.bottom_m) {
     if (ends.size() == max_cuts) return std::nullopt;
     const double end = cutter.end_of(top, span.bottom_m);
-    if (!(end > top)) return std::nullopt;  // thinner than doubles can tell
+    if (!(end > top)) return std::nullopt;  // too thin for doubles
     ends.push_back(end);
     top = end;
   }

@@ -35,7 +35,7 @@ inline constexpr std::size_t max_cuts = 500;
 
 /// The lower ends of as few layers as it takes, from the top down, for no profile to depart from
 /// its mean within a layer by more than allowed_departure. Depths are round where the tolerance
-/// lets them. Nothing if that is more than max_cuts.
+/// lets them. None if that is more than max_cuts.
 [[nodiscard]] std::optional<std::vector<double>> cut(const std::vector<Varying>& profiles,
                                                      const Span& span, double tolerance);
 

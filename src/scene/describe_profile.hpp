@@ -11,7 +11,7 @@
 
 namespace photic::scene {
 
-/// What holds where points end and layers go on: constant, or nothing does.
+/// The rule where points end and layers go on: constant, or none.
 struct BeyondPoints {
   std::string above, below;
 };

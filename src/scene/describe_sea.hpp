@@ -105,14 +105,14 @@ void describe(V& v, IopEntry& i) {
 inline constexpr const char* model_key = "model";
 inline constexpr const char* phase_function_meaning =
     "the phase function of all scattering, water's included";
-/// How far constituents may depart from their mean in what a layer is cut into (cut.hpp).
+/// The largest departure of constituents from their mean in the pieces of a layer (cut.hpp).
 inline constexpr Number profile_tolerance_rule{.low = 0.0, .high = 1.0, .low_open = true};
 inline constexpr double default_profile_tolerance = 0.05;
 
 // Wider than the seas: the formulas behind were fitted to 0-40 PSU and 0-40 C (Millero 1980).
 inline constexpr Number salinity_rule = from_to(0.0, 45.0);
 inline constexpr Number temperature_rule = from_to(-2.0, 45.0);
-/// What their departures are relative to, 0 C being no less water than 20 C: what a sea has by
+/// The scales of their departures, 0 C being no less water than 20 C: the values of a sea by
 /// default.
 inline constexpr double salinity_scale_psu = 35.0, temperature_scale_c = 20.0;
 

@@ -24,7 +24,7 @@ std::string last_part(const std::string& path) {
   return path.substr(path.find_last_of('.') + 1);  // all of a path without dots
 }
 
-/// What the environments' names call each path: its last part, if that is no other's, too.
+/// The name of each path in the environments' names: its last part, if that is no other's, too.
 std::vector<std::string> short_names(const Node::Table& grid) {
   std::vector<std::string> names;
   for (const Entry& entry : grid) {
@@ -66,7 +66,7 @@ double product(const Node::Table& grid) {
   return count;
 }
 
-/// All that is wrong; returns whether nothing is.
+/// Reports all that is wrong, and returns whether nothing is.
 bool check_grid(const Entry& grid, Findings& findings) {
   const auto* table = grid.value.as<Node::Table>();
   if (!table || table->empty()) {
@@ -163,7 +163,7 @@ void expand_grid(Node& document, Findings& findings) {
   if (given == table.end())
     append(*grid, document.add("environment", {.value = Node::Array{}}));
   else if (const auto* array = given->value.as<Node::Array>(); array && !array->empty())
-    append(*grid, given->value);  // what else stands there is refused where it is read
+    append(*grid, given->value);  // other entries are refused where they are read
 }
 
 }  // namespace photic::scene

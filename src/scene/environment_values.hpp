@@ -15,7 +15,7 @@ struct EnvironmentValues {
   std::vector<double> value;  ///< [environment][path]; NaN where it is no number
 };
 
-/// Where an environment sets nothing, the value is the scene's.
+/// A value that an environment does not set is the scene's.
 EnvironmentValues environment_values(const Scene& scene);
 
 }  // namespace photic::scene

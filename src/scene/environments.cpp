@@ -25,7 +25,7 @@ bool contains(const std::vector<Finding>& all, const Diagnostic& d) {
   });
 }
 
-/// How many parts two paths have in common from their beginning.
+/// The number of parts that two paths have in common from their beginning.
 std::size_t in_common(const std::string& a, const std::string& b) {
   const auto left = components(a);
   const auto right = components(b);
@@ -42,15 +42,15 @@ Node without_environments(const Node& document) {
   return alone;
 }
 
-/// Of a key; of its value where --set gave it.
+/// The place of a key; of its value where --set gave it.
 Place place_of(const Entry& entry) {
   return entry.value.place.line == 0 ? entry.value.place : entry.place;
 }
 
 // --- Changes that the scene keeps when it is written ---------------------------------------------
 
-/// Whether the changes make the environment's water of a written scene, which has every default in
-/// it and names no file.
+/// Returns whether the changes make the environment's water of a written scene, which has every
+/// default in it and names no file.
 bool hold(const Node& written_scene, const Environment& environment) {
   Node document = written_scene;
   Findings findings(document, {});
@@ -97,30 +97,32 @@ void settle(Environment& environment, const Scene& scene, const Node& written_sc
 
 // --- What is wrong with an environment -----------------------------------------------------------
 
-/// Tells what was found in an environment's water and not in the scene, which has been told.
-class Teller {
+/// Reports the findings in an environment's water that are not in the scene; those were reported.
+class Reporter {
  public:
-  Teller(const OtherWater& water, const Place& place_of_set, const std::string& name,
-         Findings& findings)
+  Reporter(const OtherWater& water, const Place& place_of_set, const std::string& name,
+           Findings& findings)
       : water_(water), place_of_set_(place_of_set), name_(name), findings_(findings) {}
 
-  void tell(const std::string& path) {
+  void report(const std::string& path) {
     for (const Finding& finding : water_.findings().problems()) {
       if (contains(findings_.problems(), finding.what)) continue;
       const auto [place, reason] = seen_here(finding);
-      if (!told(findings_.problems(), place, finding.what.reason))
+      if (!is_reported(findings_.problems(), place, finding.what.reason))
         findings_.add(path, place, reason, finding.what.suggestion);
     }
     for (const Finding& finding : water_.findings().remarked()) {
       if (contains(findings_.remarked(), finding.what)) continue;
       const auto [place, text] = seen_here(finding);
-      if (!told(findings_.remarked(), place, finding.what.reason)) findings_.remark_at(place, text);
+      if (!is_reported(findings_.remarked(), place, finding.what.reason))
+        findings_.remark_at(place, text);
     }
   }
 
  private:
-  /// Of a grid many environments have the same value, and one is enough.
-  static bool told(const std::vector<Finding>& all, const Place& place, const std::string& reason) {
+  /// Many environments of a grid have the same value, and one report is enough.
+  static bool is_reported(const std::vector<Finding>& all, const Place& place,
+                          const std::string& reason) {
     return std::any_of(all.begin(), all.end(), [&](const Finding& known) {
       return same_place(known.what, place) && known.what.reason.ends_with(reason);
     });
@@ -163,7 +165,7 @@ void read_environment(const Reference& reference, const Entry& set, const std::s
   for (const Entry& entry : *set.value.as<Node::Table>())
     water.change(entry.key, entry.value, place_of(entry));
   const Scene read = water.read();
-  Teller(water, place_of(set), environment.name, findings).tell(path);
+  Reporter(water, place_of(set), environment.name, findings).report(path);
   environment.optics = read.optics;
   environment.sea = read.sea;
   environment.bottom = read.bottom;

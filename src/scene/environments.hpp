@@ -8,7 +8,7 @@
 namespace photic::scene {
 
 /// Applies the changes of each environment to the scene's document and reads the water that comes
-/// of it. What is wrong with it, and not with the scene, is told at the change that did it.
+/// of it. Its problems that are not the scene's are reported at the change that did it.
 void read_environments(const Layered& layered, const Check& check, Scene& scene,
                        Findings& findings);
 

@@ -51,7 +51,7 @@ class LayerExpander {
     Node layer = layers_[i];
     const std::vector<Found> found = take_profiles(i, layer);
     auto ends = ends_of(i, found);
-    if (!ends) ends.emplace();  // what is wrong with it has been told
+    if (!ends) ends.emplace();  // its problems have been reported
     for (std::size_t k = 0; k < ends->size(); ++k) add_cut(layer, i, k, *ends, found);
     if (ends->empty()) out.push_back(std::move(layer));
     origin_.resize(out.size(), i);
@@ -116,7 +116,7 @@ class LayerExpander {
     return found;
   }
 
-  /// Where a layer's cuts end: none if it stays as it is; nothing if it cannot be.
+  /// The ends of a layer's cuts: none if it stays as it is; nothing if it cannot be.
   std::optional<std::vector<double>> ends_of(std::size_t i, const std::vector<Found>& found) {
     const auto span = span_of(i);
     if (scene_cuts_ && span) {
@@ -143,7 +143,7 @@ class LayerExpander {
     return std::nullopt;
   }
 
-  /// Whether an environment's profiles are well cut where the scene's are.
+  /// Checks that an environment's profiles are well cut where the scene's are.
   void check_departures(const std::vector<Found>& found, const Span& span,
                         const std::vector<double>& ends) {
     constexpr double rounding = 1 + 1e-9;

@@ -7,7 +7,7 @@
 namespace photic::scene {
 namespace {
 
-/// Whether `path` is `root` or lies below it.
+/// Returns whether `path` is `root` or lies below it.
 bool lies_in(const std::string& path, const std::string& root) {
   return root.empty() || path == root || path.rfind(root + ".", 0) == 0;
 }
@@ -112,7 +112,7 @@ void Findings::raise() const {
   std::stable_sort(sorted.begin(), sorted.end(), [&](const Diagnostic& a, const Diagnostic& b) {
     return rank(a, end_.file) < rank(b, end_.file);
   });
-  // What stands for several layers may be wrong with all of them.
+  // A value that stands for several layers may be wrong for all of them.
   const auto end = std::unique(sorted.begin(), sorted.end(), same);
   sorted.erase(end, sorted.end());
   throw InputError(std::move(sorted));

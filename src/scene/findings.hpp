@@ -26,8 +26,8 @@ class Findings {
   void add_at(const Place& place, std::string reason, std::string suggestion);
   /// Something is wrong with the value at `path`, seen at `place`.
   void add(const std::string& path, const Place& place, std::string reason, std::string suggestion);
-  /// What is wrong with a file that the value at `path` names, at `place`: in lines of its own, or,
-  /// of a netCDF file, which has none, at that place.
+  /// Adds the problems of a file that the value at `path` names, at `place`: in lines of its own,
+  /// or, of a netCDF file, which has none, at that place.
   void add_from_file(const std::string& path, const Place& place, const InputError& error);
   /// The same at the place of the value, or of the table that lacks it.
   void add(const std::string& path, std::string reason, std::string suggestion);
@@ -37,11 +37,11 @@ class Findings {
   void remark(const std::string& path, const std::string& text);
   void remark_at(const Place& place, const std::string& text);
 
-  /// Whether nothing is wrong with these values: checks across keys ask this first.
+  /// Returns whether nothing is wrong with these values: checks across keys ask this first.
   [[nodiscard]] bool good(std::initializer_list<std::string> paths) const;
   [[nodiscard]] bool given(const std::string& path) const;
   [[nodiscard]] Place place_of(const std::string& path) const;
-  /// Of a key, dots and all, in the table at `path`; of the table if it does not have it.
+  /// The place of a key, dots and all, in the table at `path`; of the table if it does not have it.
   [[nodiscard]] Place place_in(const std::string& path, const std::string& key) const;
   [[nodiscard]] const Place& end() const { return end_; }
 
@@ -61,7 +61,7 @@ class Findings {
   std::vector<std::string> spoilt_;
 };
 
-/// Whether a was written before b: in the order of the file, and the file before --set.
+/// Returns whether a was written before b: in the order of the file, and the file before --set.
 bool before(const Place& a, const Place& b);
 
 /// The parts of a path between its dots.

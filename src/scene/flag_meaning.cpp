@@ -56,7 +56,7 @@ std::optional<Quality> of_word(const std::string& word) {
   return std::nullopt;
 }
 
-/// Of a word after "no" or "not".
+/// The quality for a word after "no" or "not".
 Quality of_negated(const std::string& word) {
   if (begins(word, check_words)) return Quality::unchecked;
   if (begins(word, value_words)) return Quality::bad;

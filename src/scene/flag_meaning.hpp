@@ -13,11 +13,13 @@ enum class Quality {
   unclear     ///< not understood
 };
 
-/// Of the meaning that a file gives to a flag: "probably_bad_data", "not_evaluated", "pass".
+/// The quality by the meaning that a file gives to a flag: "probably_bad_data", "not_evaluated",
+/// "pass".
 [[nodiscard]] Quality quality_of(const std::string& meaning);
 
-/// Of a flag that a file does not explain, by Argo's table (Argo user's manual, reference table 2;
-/// from memory), which QARTOD's flags 1, 2, 3, 4 and 9 agree with (IOOS manuals; from memory).
+/// The quality by a flag that a file does not explain, by Argo's table (Argo user's manual,
+/// reference table 2; from memory), which QARTOD's flags 1, 2, 3, 4 and 9 agree with (IOOS manuals;
+/// from memory).
 [[nodiscard]] Quality quality_in_table(const std::string& flag);
 
 }  // namespace photic::scene

@@ -34,7 +34,7 @@ bool holds_tables(const Node::Array& array) {
                      [](const Node& element) { return element.as<Node::Table>(); });
 }
 
-/// Whether a long array of numbers may go over several lines, which TOML allows within inline
+/// A long array of numbers stands on one line or on several, which TOML allows within inline
 /// tables, too.
 enum class Lines { one, several };
 

@@ -1,5 +1,5 @@
-// How the forward estimator samples where a scene does not say: what a scene gets that names
-// neither key, what "auto" chooses from.
+// The sampling of the forward estimator where a scene does not set it: the values of a scene that
+// names neither key, and those that "auto" chooses from.
 #pragma once
 
 #include <vector>
@@ -15,11 +15,11 @@ struct ForwardSettings {
   friend bool operator==(const ForwardSettings&, const ForwardSettings&) = default;
 };
 
-/// Those worth a try, each with what the scene names; at least one. Beside a telescope in the water
-/// few directions to it and few points miss light that comes from nearby.
+/// The settings worth a try, each with what the scene names; at least one. Beside a telescope in
+/// the water few directions to it and few points miss light that comes from nearby.
 std::vector<ForwardSettings> forward_settings(const Scene& scene);
 
-/// What a scene of the forward estimator gets: by how high above the sea its telescopes are
+/// The fraction of a scene of the forward estimator, by the height of its telescopes above the sea
 /// (docs/decisions/0038).
 double directed_fraction_in(const Scene& scene);
 std::int64_t scored_points_in(const Scene& scene);

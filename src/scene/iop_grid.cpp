@@ -36,7 +36,7 @@ struct Contents {
   std::vector<std::string> known;
   std::function<std::string(const std::string& name)> instead_of;
   Place place;
-  std::string first = {};  ///< what is said before all that is wrong
+  std::string first = {};  ///< text before all problems
 };
 
 /// The names of the values in a file.

@@ -19,7 +19,7 @@ struct IopGrid {
   /// By name: a_per_m, one of b_per_m and c_per_m, and those optional ones that the file has; the
   /// wavelength fastest.
   std::map<std::string, std::vector<double>> value;
-  /// Where a value stands, or its depth or wavelength: the file, and line and column or the
+  /// The place of a value, or of its depth or wavelength: the file, and line and column or the
   /// variable's index.
   std::function<Place(const std::string& name, std::size_t i)> place;
 
@@ -29,9 +29,8 @@ struct IopGrid {
 /// The names of columns or variables in a file, by those used here; empty: the same.
 using IopNames = std::vector<std::pair<std::string, optics::ColumnInFile>>;
 
-/// Of a file of text with a row for each pair of depth and wavelength, or of a netCDF file (.nc)
-/// with variables of the dimensions (depth, wavelength). Throws InputError for what is no such
-/// grid.
+/// Reads a file of text with a row for each pair of depth and wavelength, or a netCDF file (.nc)
+/// with variables of the dimensions (depth, wavelength). Throws InputError if it is no such grid.
 IopGrid read_iop_grid(const std::string& path, const IopNames& names, const NetcdfFiles& netcdf);
 
 }  // namespace photic::scene

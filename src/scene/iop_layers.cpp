@@ -111,7 +111,7 @@ void place_behind(const Place& scene, IopGrid& grid) {
   };
 }
 
-/// Either the file tells the phase function, or the scene.
+/// Either the file gives the phase function, or the scene.
 bool check_phase_function(const IopGrid& grid, const Node& table, Findings& findings) {
   const Node* given = table.find("phase_function");
   if (grid.has("bb_per_m") == (given == nullptr)) return true;

@@ -14,9 +14,9 @@ namespace photic::scene {
 struct IopTableKey {};
 Node schema_of(const IopTableKey& rule);
 
-/// What reading other files takes.
+/// The means to read other files.
 struct OtherFiles {
-  std::optional<std::string> folder;  ///< where relative ones lie; none: none may be named
+  std::optional<std::string> folder;  ///< that of relative ones; none: none may be named
   const NetcdfFiles& netcdf;
 };
 

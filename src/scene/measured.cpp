@@ -10,7 +10,7 @@
 namespace photic::scene {
 namespace {
 
-/// What could have been meant by a value that is refused.
+/// The likely meaning of a value that is refused.
 std::string remedy(const Number& rule, double value) {
   return rule.low == 0 && value < 0 ? "negative = \"zero\" counts values below 0 as 0" : "";
 }
@@ -23,8 +23,8 @@ std::vector<std::size_t> order_of(const std::vector<double>& depth) {
   return order;
 }
 
-/// Whether depths that go one way leap back by more than half of all of them, and then go the same
-/// way again: two casts do so, the way down and up does not.
+/// Returns whether depths that go one way leap back by more than half of all of them, and then go
+/// the same way again: two casts do so, the way down and up does not.
 bool starts_over(const std::vector<double>& depth, double sign) {
   const auto [least, most] = std::ranges::minmax(depth);
   bool goes = false, leapt = false;
@@ -75,7 +75,7 @@ void put_in_order(Measured& measured, std::vector<std::string>& remarks) {
             : ""));
   Measured ordered{measured.levels, measured.depth_name, measured.name, {}, {}, {}};
   std::optional<double> first_shared;
-  double alike = 0;  // how many levels the last depth has
+  double alike = 0;  // levels of the last depth
   for (const std::size_t k : order_of(depth)) {
     if (ordered.depth_m.empty() || depth[k] > ordered.depth_m.back()) {
       ordered.depth_m.push_back(depth[k]);

@@ -13,8 +13,8 @@ namespace photic::scene {
 
 /// Levels that have both a depth and a value.
 struct Measured {
-  std::string levels;              ///< what the file's own are called: "levels", "rows"
-  std::string depth_name, name;    ///< what the file calls depths and values
+  std::string levels;              ///< name of the file's own: "levels", "rows"
+  std::string depth_name, name;    ///< names of depths and values in the file
   std::vector<std::size_t> level;  ///< which of the file's
   std::vector<double> depth_m, value;
 };
@@ -28,8 +28,8 @@ using RefuseLevel = std::function<void(std::size_t level, const Refusal& refusal
 /// Refuses the first value that does not obey the rule.
 void check_values(const Measured& measured, const Number& rule, const RefuseLevel& refuse);
 
-/// Makes depths ascend, values at the same one becoming their mean, with remarks. What levels were
-/// in the file is not known any more.
+/// Makes depths ascend, values at the same one becoming their mean, with remarks. The levels of the
+/// file are not known any more.
 void put_in_order(Measured& measured, std::vector<std::string>& remarks);
 
 }  // namespace photic::scene

@@ -61,7 +61,7 @@ class Finder {
   std::vector<CastId> found;
 
  private:
-  /// Whether a variable has a value for each level.
+  /// Returns whether a variable has a value for each level.
   [[nodiscard]] bool is_of_levels(const NetcdfHeader& header) const {
     const Shape shape = shape_of(header);
     return Alignment::of(shape, layout_.shape) &&

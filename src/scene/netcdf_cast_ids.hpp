@@ -15,7 +15,7 @@ namespace photic::scene {
 struct CastId {
   std::string name;
   std::vector<std::size_t> value;  ///< of each value of a profile; NetcdfCodes::none in no cast
-  std::optional<std::size_t> casts = {};  ///< where a value is the number of one of so many casts
+  std::optional<std::size_t> casts = {};  ///< for values that number so many casts
   NetcdfCodes codes = {};                 ///< else the value is one of these, which have no values
 
   /// "58" of a cycle_number.

@@ -37,7 +37,7 @@ Casts::Casts(const NetcdfColumns& file, const ProfileVariable& value, const Prof
   number_casts();
 }
 
-/// Those that are the same everywhere, or missing everywhere, divide nothing.
+/// Drops ids that are the same everywhere, or missing everywhere: they divide nothing.
 void Casts::drop_constant_ids() {
   std::erase_if(ids_, [](const CastId& id) {
     return !id.casts && std::adjacent_find(id.value.begin(), id.value.end(),
@@ -66,8 +66,8 @@ Casts::Grouping Casts::grouped(const std::vector<CastId>& ids, std::size_t value
   return out;
 }
 
-/// Whether a group has parts that cover the same depths. The samples of one cast do not do so, of
-/// which each has its own time.
+/// Returns whether a group has parts that cover the same depths. The samples of one cast do not do
+/// so, of which each has its own time.
 bool Casts::overlap_in_depth(const Grouping& parts, std::size_t first, std::size_t end) const {
   std::vector<DepthRange> spans(end - first);
   DepthRange all;
@@ -91,7 +91,7 @@ bool Casts::overlap_in_depth(const Grouping& parts, std::size_t first, std::size
 void Casts::use_times_and_places() {
   const std::size_t values = layout_.shape.size();
   for (const auto& more : times_and_places(file_, layout_)) {
-    // Of fewer values than two each no cast is made.
+    // A cast has two values at least.
     const auto of_samples = [&](const CastId& id) { return id.codes.size() > values / 2; };
     if (more.empty() || std::ranges::any_of(more, of_samples)) continue;
     std::vector<CastId> ids = ids_;

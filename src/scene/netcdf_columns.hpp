@@ -17,7 +17,7 @@ class NetcdfColumns {
   NetcdfColumns(std::string path, const NetcdfFiles& netcdf);
 
   [[nodiscard]] const NetcdfContents& contents() const { return contents_; }
-  /// Of the variables, in the order of the alphabet.
+  /// The names of the variables, in the order of the alphabet.
   [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] bool has(const std::string& name) const;
   // Throw InputError with the names there are if this is none of them.

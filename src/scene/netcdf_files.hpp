@@ -1,5 +1,5 @@
-// What the reader of scenes asks of netCDF files. The library that reads them has its place on a
-// higher floor, which hands this down (io/netcdf_variable.hpp).
+// The interface of the reader of scenes to netCDF files. The library that reads them has its place
+// on a higher floor, which hands this down (io/netcdf_variable.hpp).
 #pragma once
 
 #include <cstddef>

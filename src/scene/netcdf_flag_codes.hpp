@@ -13,7 +13,7 @@ namespace photic::scene {
 struct FlagCode {
   Quality quality = Quality::unclear;
   std::string text;    ///< with its meaning, where the file has one
-  std::string misfit;  ///< why the flag should not be there; empty if it may
+  std::string misfit;  ///< reason why the flag should not be there; empty if it may
 };
 
 struct FlagCodes {

@@ -17,7 +17,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Of the names of flags, besides the variable's own name.
+/// Returns whether this is a word of the names of flags, besides the variable's own name.
 bool is_flag_word(const std::string& word) {
   return word == "quality" || word.ends_with("qc") || word.ends_with("flag") ||
          word.ends_with("flags");
@@ -142,7 +142,7 @@ class Search {
     return owner;
   }
 
-  /// Whether a variable has a value for each level of this one, at least.
+  /// Returns whether a variable has a value for each level of this one, at least.
   [[nodiscard]] bool is_of_each_value(const NetcdfHeader& header) const {
     const Shape own = shape_of(header_), other = shape_of(header);
     const auto alignment = Alignment::of(other, own);
@@ -154,7 +154,7 @@ class Search {
     return std::ranges::find(names, name) != names.end();
   }
 
-  /// Whether some of its flags are those of bad values.
+  /// Returns whether some of its flags are those of bad values.
   static bool means_bad(const NetcdfHeader& header) {
     std::istringstream meanings(header.text("flag_meanings"));
     for (std::string meaning; meanings >> meaning;)
@@ -172,7 +172,7 @@ class Search {
                                  has_flag_word(words_.at(name)));
   }
 
-  /// Whether it is known what the flags mean, by the file or by Argo's table.
+  /// Returns whether the meaning of the flags is known, by the file or by Argo's table.
   static bool is_explained(const std::string& name, const NetcdfHeader& header) {
     const Words words = words_of_name(name);
     return !header.text("flag_meanings").empty() || std::ranges::find(words, "qc") != words.end() ||

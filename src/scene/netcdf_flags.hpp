@@ -12,7 +12,7 @@ namespace photic::scene {
 /// The values of a profile after its flags.
 struct Flagged {
   std::vector<bool> is_bad;          ///< or missing, of each value
-  std::vector<std::string> dropped;  ///< how many values are, by which flags
+  std::vector<std::string> dropped;  ///< the number of values by flag
   std::vector<std::string> remarks;  ///< on flags that are not understood
 };
 
@@ -22,7 +22,7 @@ class QualityFlags {
   /// Throws InputError for flags that explain themselves in two ways, or have other dimensions.
   QualityFlags(const NetcdfColumns& file, std::string variable);
 
-  /// Of the values at these positions; flags of those that are missing do not count. Throws
+  /// Judges the values at these positions; flags of those that are missing do not count. Throws
   /// InputError for flags that contradict each other, or should not be there.
   [[nodiscard]] Flagged judge(const std::vector<std::size_t>& positions,
                               const std::vector<double>& values) const;

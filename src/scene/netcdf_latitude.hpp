@@ -1,4 +1,4 @@
-// Where a profile of a netCDF file was taken.
+// The place where a profile of a netCDF file was taken.
 #pragma once
 
 #include <optional>

@@ -15,7 +15,7 @@ bool is_time(const NetcdfColumns& file, const std::string& dimension) {
          (file.has(dimension) && file.header(dimension).text("standard_name") == "time");
 }
 
-/// Whether a dimension is known as one of places or times.
+/// Returns whether a dimension is known as one of places or times.
 bool is_horizontal(const NetcdfColumns& file, const std::string& dimension) {
   static const std::set<std::string> names{"lat", "latitude", "lon", "longitude", "x", "y"};
   static const std::set<std::string> axes{"X", "Y", "T"};
@@ -33,7 +33,8 @@ bool is_called_levels(const std::string& dimension) {
          word.starts_with("pres");
 }
 
-/// Whether the last of two dimensions cannot be that of levels. Gliders write them against time.
+/// Returns whether the last of two dimensions cannot be that of levels. Gliders write them against
+/// time.
 bool are_turned(const NetcdfColumns& file, const std::string& first, const std::string& last) {
   static const std::set<std::string> profiles{"n_prof", "profile", "profiles",  "cast",
                                               "casts",  "station", "trajectory"};

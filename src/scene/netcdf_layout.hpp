@@ -15,11 +15,11 @@ struct Layout {
   Shape shape;
   std::size_t level_axis = 0;
   std::optional<std::size_t> profile_axis;
-  Alignment depth;                  ///< where the depth of a value is
+  Alignment depth;                  ///< of the depth of a value
   bool has_own_dimensions = false;  ///< which the depth does not share, for all that they are alike
 };
 
-/// Of variables of these names. Throws InputError if they have other dimensions.
+/// The layout of the variables of these names. Throws InputError if they have other dimensions.
 [[nodiscard]] Layout layout_of(const NetcdfColumns& file, const std::string& value,
                                const std::string& depth);
 

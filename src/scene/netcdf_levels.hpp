@@ -16,7 +16,7 @@ inline constexpr std::size_t max_levels = 100'000;
 /// One profile of a variable: values by level, NaN where there are none or flags call them bad.
 struct Levels {
   std::vector<double> value;
-  std::vector<std::string> flagged;  ///< what quality flags have taken out
+  std::vector<std::string> flagged;  ///< values that quality flags have taken out
   std::vector<std::string> remarks;
 };
 

@@ -1,4 +1,4 @@
-// Where the values of one variable of a netCDF file belong to those of another.
+// The alignment of the values of one variable of a netCDF file with those of another.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@ template <class Variable>
 /// do not count.
 class Alignment {
  public:
-  /// Nothing if the inner variable has a dimension that the outer one lacks, unless the lengths of
-  /// all are the same; nor if either has one twice.
+  /// None if the inner variable has a dimension that the outer one lacks, unless the lengths of all
+  /// are the same; nor if either has one twice.
   static std::optional<Alignment> of(const Shape& inner, const Shape& outer);
 
   /// The position in the inner variable.

@@ -14,11 +14,11 @@ namespace photic::scene {
 [[nodiscard]] Conversion conversion_of(const NetcdfColumns& file, const std::string& name,
                                        const NetcdfVariable& variable, const std::string& key);
 
-/// What is wrong with a variable's units.
+/// A text on what is wrong with a variable's units.
 [[nodiscard]] std::string units_text(const NetcdfVariable& variable);
 
-/// Whether its values, in m or another unit, are heights and no depths (CF-1.10, section 4.3).
-/// Throws InputError if its attribute does not tell.
+/// Returns whether its values, in m or another unit, are heights and no depths (CF-1.10, section
+/// 4.3). Throws InputError if its attribute does not show it.
 [[nodiscard]] bool points_up(const NetcdfColumns& file, const std::string& name,
                              const NetcdfVariable& variable);
 

@@ -10,7 +10,7 @@
 
 namespace photic::scene {
 
-/// Where a value was written: a line and column of the file, or a --set (line 0).
+/// The place where a value was written: a line and column of the file, or a --set (line 0).
 struct Place {
   std::string file;
   int line = 0;
@@ -65,7 +65,7 @@ Node to_node(const std::vector<std::string>& value);
 Node to_node(const std::vector<double>& value);
 Node empty_table();
 
-/// What a message calls this value: `-0.4`, `text "abc"`, `[1, 2]`, `a table`, …
+/// The name of this value in messages: `-0.4`, `text "abc"`, `[1, 2]`, `a table`, …
 std::string found_text(const Node& node);
 
 /// The shortest decimal that reads back to the same double, always recognisable as a float: 532.0,

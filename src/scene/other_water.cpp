@@ -126,7 +126,7 @@ class Comparison {
       for (const Fixed& fixed : all_fixed) compare(scene[i], here[i], below(path, i), fixed);
   }
 
-  /// Whether they are alike, or not known.
+  /// Returns whether they are alike, or not known.
   bool compare(const Node& scene, const Node& here, const std::string& table, const Fixed& fixed) {
     const std::string path = below(table, fixed.key);
     const Node* left = scene.find(fixed.key);

@@ -115,7 +115,8 @@ std::vector<std::string> split(const std::string& path) {
   return keys;
 }
 
-/// Where a whole path is one key: "environment.0.set.sea.layer.0.name", "environment_grid.sea.…".
+/// Joins a path that is one key as a whole: "environment.0.set.sea.layer.0.name",
+/// "environment_grid.sea.…".
 void join_changed_path(std::vector<std::string>& keys) {
   const bool in_grid = keys[0] == "environment_grid";
   const bool in_set = keys.size() > 2 && keys[0] == "environment" && keys[2] == "set";

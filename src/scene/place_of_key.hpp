@@ -1,4 +1,4 @@
-// Where a key belongs that was written into another section.
+// The right place of a key that was written into another section.
 #pragma once
 
 #include <optional>
@@ -6,8 +6,8 @@
 
 namespace photic::scene {
 
-/// "it belongs in [gates]" of a key of one or two sections, but for those of experts; "write
-/// [[sea.layer]]" of a section that stands elsewhere. Nothing else is said; case does not matter.
+/// "it belongs in [gates]" for a key of one or two sections, but for those of experts; "write
+/// [[sea.layer]]" for a section that stands elsewhere. Nothing else is said; case does not matter.
 /// `at_top`: the key stands outside all sections.
 std::optional<std::string> place_of_key(const std::string& key, bool at_top);
 

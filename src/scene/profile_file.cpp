@@ -64,7 +64,7 @@ void convert_depths(const NetcdfColumns& file, const ProfileVariable& from, cons
   if (pressure) to_depths(latitude_deg(file, layout, cast), depth, remarks);
 }
 
-/// Salinities that are told to be practical, or are not.
+/// Checks whether salinities are said to be practical.
 void check_salinities(const NetcdfColumns& file, const ProfileVariable& from, const Levels& levels,
                       std::vector<std::string>& remarks) {
   const NetcdfVariable& variable = from.variable();

@@ -16,7 +16,7 @@ namespace photic::scene {
 struct ProfiledKey {
   std::string key;
   Number rule;
-  std::optional<double> scale;  ///< what departures are measured against (Varying)
+  std::optional<double> scale;  ///< the measure of departures (Varying)
 };
 
 /// A profile, and what its user should know.

@@ -15,8 +15,8 @@ namespace photic::scene {
 /// All such keys.
 [[nodiscard]] std::vector<ProfiledKey> profiled_keys();
 
-/// Reads a profile and looks whether it is known all over a layer. What is wrong is told, at
-/// `path`; then there is none.
+/// Reads a profile and looks whether it is known all over a layer. Problems are reported at `path`;
+/// then there is none.
 std::optional<Profile> read_profile(const Node& node, const std::string& path,
                                     const ProfiledKey& key, const Span& layer,
                                     const OtherFiles& files, Findings& findings);

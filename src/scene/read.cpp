@@ -45,7 +45,7 @@ void fill_names(std::vector<Named>& all, const std::string& stem) {
   throw InputError({{path, 0, 0, reason, suggestion}});
 }
 
-/// Whether the first bytes are those of netCDF: HDF5, or CDF in version 1, 2 or 5.
+/// Returns whether the first bytes are those of netCDF: HDF5, or CDF in version 1, 2 or 5.
 bool begins_as_netcdf(const std::string& bytes) {
   return bytes.starts_with("\x89HDF\r\n\x1a\n") || bytes.starts_with("CDF\x01") ||
          bytes.starts_with("CDF\x02") || bytes.starts_with("CDF\x05");
@@ -103,7 +103,8 @@ void check_together(const Node& document, const Check& check, const Scene& scene
     findings.add_at({what.file, what.line, what.column}, what.reason, what.suggestion);
 }
 
-/// What needs files. Where they fail, what is known to be wrong with the scene is told first.
+/// Reads the parts that need files. Where files fail, the known problems of the scene are reported
+/// first.
 void read_on(const Node& document, const Layered& layered, const Check& check, Scene& scene,
              Findings& findings) {
   try {
@@ -155,7 +156,7 @@ void fill_in_oil(const Node& document, Scene& scene, Findings& findings) {
   fill_in_light(*scene.oil, findings);
 }
 
-/// LOWTRAN 7's visibility of clear air, but where levels tell of their own aerosols.
+/// LOWTRAN 7's visibility of clear air, unless levels have their own aerosols.
 void fill_in_air(Atmosphere& air) {
   fill_names(air.layer, "air");
   if (!air.layer.empty() || !air.has_aerosols() || air.visibility_km ||

@@ -23,8 +23,9 @@ struct Reading {
 };
 
 /// A check of the whole scene that this folder is too low for (estimator/model.hpp has the one of
-/// the optics). What it finds is told with all else. It is asked about the scene, and then about
-/// the scene in each of its environments (scene_in), and for the scene with all of them known.
+/// the optics). Its findings are reported with all others. It is asked about the scene, and then
+/// about the scene in each of its environments (scene_in), and for the scene with all of them
+/// known.
 using Check = std::function<void(const Scene&, Findings&)>;
 
 /// Reads and checks a scene file. Throws InputError with every problem (a TOML syntax error stands

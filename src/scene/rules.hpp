@@ -1,4 +1,4 @@
-// What a single value may be. A rule checks values and describes itself as JSON Schema.
+// The rules for single values. A rule checks values and describes itself as JSON Schema.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace photic::scene {
 
-/// Why a value is refused, without the key's name: "must be …, not …".
+/// The reason why a value is refused, without the key's name: "must be …, not …".
 struct Refusal {
   std::string reason;
   std::string suggestion;
@@ -161,7 +161,7 @@ struct Direction {
   using Value = Vec3<double>;
 };
 
-/// Whether the values of a rule are numbers, which have a unit.
+/// True if the values of a rule are numbers, which have a unit.
 template <class Rule>
 inline constexpr bool is_quantity = requires {
   requires(std::is_arithmetic_v<typename Rule::Value> &&

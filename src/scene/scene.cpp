@@ -57,7 +57,7 @@ const Gates::Interval& Gates::interval() const {
 }
 
 double Gates::Interval::steps() const {
-  // What is narrower than a millionth of a step is rounding of (max - min) / step, not a gate.
+  // A gate narrower than a millionth of a step is rounding of (max - min) / step, not a gate.
   return std::ceil((max - min) / step - 1e-6);
 }
 

@@ -21,7 +21,7 @@ struct Source {
   std::string kind = "laser";
   double wavelength_nm{};
   Vec3<double> position_m;  ///< centre of the disc; z up, sea level 0
-  Vec3<double> direction;   ///< where the light goes; any length but 0
+  Vec3<double> direction;   ///< of the light; any length but 0
   double diameter_m{};
   double half_divergence_mrad{};
   friend bool operator==(const Source&, const Source&) = default;
@@ -31,7 +31,7 @@ struct Source {
 struct Telescope {
   std::string name;
   Vec3<double> position_m;  ///< centre of the lens
-  Vec3<double> direction;   ///< where it looks; any length but 0
+  Vec3<double> direction;   ///< of its view; any length but 0
   double diameter_m{};
   double focal_length_m{};
   std::optional<double> detector_diameter_m;  ///< exactly one of these two is given
@@ -61,7 +61,7 @@ struct Channel {
   friend bool operator==(const Channel&, const Channel&) = default;
 };
 
-/// Which published data and models the water's optics are made of.
+/// The published data and models that the water's optics are made of.
 struct Optics {
   OpticsSet set = OpticsSet::modern;
   std::string water_absorption;   ///< mason-ioccg | ioccg | pope-fry | smith-baker
@@ -131,7 +131,7 @@ struct Layer {
 struct Surface {
   SurfaceModel model = SurfaceModel::flat;
   double wind_speed_m_s = 0.0;      ///< cox-munk, paper
-  double wind_direction_deg = 0.0;  ///< where the wind comes from, from +x to +y
+  double wind_direction_deg = 0.0;  ///< the wind's origin, from +x to +y
   bool slick = false;               ///< cox-munk
   bool gram_charlier = true;        ///< cox-munk
   double upwind_slope_variance = 0.0, crosswind_slope_variance = 0.0;  ///< gaussian
@@ -140,9 +140,9 @@ struct Surface {
   WhitecapLaw whitecap_law = WhitecapLaw::monahan1980;
   WhitecapReflectance whitecap_reflectance = WhitecapReflectance::koepke1984;
 
-  /// Whether there are facets that are not level.
+  /// Returns whether there are facets that are not level.
   [[nodiscard]] bool is_rough() const;
-  /// Whether all facets are level across the wind, or along it.
+  /// Returns whether all facets are level across the wind, or along it.
   [[nodiscard]] bool is_one_dimensional() const;
   [[nodiscard]] bool has_whitecaps() const;
   friend bool operator==(const Surface&, const Surface&) = default;
@@ -161,7 +161,8 @@ struct Sea {
 
 /// The sea bed where the last layer ends.
 struct Bottom {
-  /// Of light that comes in: one number, or of wavelength_nm, zenith_deg or both, and albedo.
+  /// The albedo for light that comes in: one number, or a table of albedo and wavelength_nm,
+  /// zenith_deg or both.
   std::variant<double, UserTable> albedo = 0.0;
   friend bool operator==(const Bottom&, const Bottom&) = default;
 };
@@ -177,7 +178,7 @@ struct Oil {
   friend bool operator==(const Oil&, const Oil&) = default;
 };
 
-/// A layer of air, told outright.
+/// A layer of air, given outright.
 struct AirLayer {
   std::string name;
   double bottom_height_m{}, top_height_m{};     ///< above the sea
@@ -187,7 +188,7 @@ struct AirLayer {
   friend bool operator==(const AirLayer&, const AirLayer&) = default;
 };
 
-/// What gases absorb besides ozone, from the sea straight up to a height.
+/// The absorption of gases besides ozone, from the sea straight up to a height.
 struct AirGases {
   double top_km{};
   UserTable depth;  ///< of wavelength_nm, optical_depth
@@ -216,7 +217,7 @@ struct Atmosphere {
 struct Gates {
   struct Interval {
     double min{}, max{}, step{};
-    /// How many gates: as many as steps begin between min and max. Where the step does not divide
+    /// The number of gates: as many as steps begin between min and max. If the step does not divide
     /// that way, the gates are all equally long and a little shorter than it.
     [[nodiscard]] double steps() const;
     friend bool operator==(const Interval&, const Interval&) = default;
@@ -238,7 +239,7 @@ struct Importance {
   friend bool operator==(const Importance&, const Importance&) = default;
 };
 
-/// What the forward estimator does beyond the plain walk (docs/theory.md, "The paper's tools").
+/// The additions of the forward estimator to the plain walk (docs/theory.md, "The paper's tools").
 struct Tools {
   std::int64_t forced_collisions = 0;  ///< so many first flights of a photon do not leave the water
   LocalForcedCollisions local_forced_collisions = LocalForcedCollisions::conversions;
@@ -246,7 +247,7 @@ struct Tools {
   AtThreshold at_threshold = AtThreshold::roulette;
   std::vector<Importance> importance;  ///< ascending in depth
   friend bool operator==(const Tools&, const Tools&) = default;
-  /// Whether more is asked for than another threshold of roulette, which every walk has.
+  /// Returns whether more is asked for than another threshold of roulette, which every walk has.
   [[nodiscard]] bool any() const;
 };
 
@@ -255,7 +256,7 @@ inline constexpr std::int64_t min_batch_photons = 250, max_batch_photons = 8000;
 
 struct Simulation {
   Estimator estimator = Estimator::automatic;
-  std::optional<std::string> estimator_reason;  ///< why "auto" chose it
+  std::optional<std::string> estimator_reason;  ///< reason for the choice of "auto"
   std::optional<std::uint64_t> photons;         ///< at least one of these three is given
   std::optional<double> target_relative_error;
   std::optional<double> max_time_s;
@@ -326,7 +327,7 @@ struct Scene {
   Simulation simulation;
   std::vector<Environment> environment;
 
-  /// Whether echoes in other water are to be computed from the same histories.
+  /// Returns whether echoes in other water are to be computed from the same histories.
   [[nodiscard]] bool compares() const { return !environment.empty() || !sensitivity.empty(); }
   friend bool operator==(const Scene&, const Scene&) = default;
 };

@@ -118,7 +118,7 @@ class SchemaBuilder {
 
  private:
   Node& property(const Key& key, Node schema, const char* meaning, const std::string& unit = "");
-  /// That of the key's values; "" if they are no quantities.
+  /// The unit of the key's values; "" if they are no quantities.
   template <class Rule>
   static std::string unit_for(const Key& key) {
     return is_quantity<Rule> && key.has_unit ? unit_of(key.name) : "";

@@ -16,8 +16,8 @@
 namespace photic::scene {
 namespace {
 
-/// Of a parameter's value. The error of a central difference of smooth functions goes with its
-/// square: 1e-6 of the derivative.
+/// The step, relative to a parameter's value. The error of a central difference of smooth functions
+/// goes with its square: 1e-6 of the derivative.
 constexpr double relative_step = 1e-3;
 
 /// The keys of a table.
@@ -28,7 +28,7 @@ std::vector<std::string> keys_in(const Node& node) {
   return keys;
 }
 
-/// One path on its way to a parameter. Problems are told at its place.
+/// One path on its way to a parameter. Problems are reported at its place.
 class ParameterReader {
  public:
   ParameterReader(const Reference& reference, std::string path_of_path, const Node& element,
@@ -136,7 +136,7 @@ class ParameterReader {
 
 }  // namespace
 
-/// What is no text is an empty path here, and refused where paths are looked at.
+/// A value that is no text is an empty path here, and refused where paths are looked at.
 std::optional<Refusal> check(const Parameters&, const Node& node, std::vector<Sensitivity>& value) {
   const auto* array = node.as<Node::Array>();
   if (!array)
@@ -165,7 +165,8 @@ Node to_node(const std::vector<Sensitivity>& value) {
 void read_sensitivities(const Node& document, const Check& check, Scene& scene,
                         Findings& findings) {
   if (scene.sensitivity.empty()) return;
-  // Where the water is wrong nobody knows what is in it; where anything is, what other water does.
+  // Water with problems has unknown contents; if anything has, the effects of other water are
+  // unknown.
   const bool water_good = findings.good({"sea", "optics", "bottom", "oil", "atmosphere"});
   const bool all_good = findings.problems().empty();
   const Node as_written = written(scene);

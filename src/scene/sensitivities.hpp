@@ -11,7 +11,7 @@
 
 namespace photic::scene {
 
-/// An array of paths in the style of --set (a rule as those of rules.hpp). Where they lead is for
+/// An array of paths in the style of --set (a rule as those of rules.hpp). Their targets are for
 /// read_sensitivities.
 struct Parameters {
   using Value = std::vector<Sensitivity>;
@@ -23,7 +23,7 @@ Node schema_of(const Parameters& rule);
 Node to_node(const std::vector<Sensitivity>& value);
 
 /// Fills in what the scene's parameters are, and the water a step to either side of each, which
-/// must be water that the scene can be compared with. What is wrong is told at the path's place.
+/// must be water that the scene can be compared with. Problems are reported at the path's place.
 void read_sensitivities(const Node& document, const Check& check, Scene& scene, Findings& findings);
 
 }  // namespace photic::scene

@@ -10,7 +10,7 @@ namespace {
 
 bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80U; }
 
-/// Where a comment or a string that begins at `start` ends. Strings on one line end with it, even
+/// The end of a comment or a string that begins at `start`. Strings on one line end with it, even
 /// if their quote is missing.
 std::size_t end_of_free_text(std::string_view toml, std::size_t start) {
   const char open = toml[start];

@@ -40,7 +40,8 @@ std::string folded(const std::string& word) {
   return out;
 }
 
-/// What units in the names of keys are made of, those of scenes and those that people would write.
+/// Returns whether this is a part of units in the names of keys, those of scenes and those that
+/// people would write.
 bool is_unit_part(const std::string& part) {
   static const std::set<std::string> all{
       "per", "nm",  "um",  "mm",      "cm",      "m",    "km",   "m2",   "m3", "l",    "ml", "ng",
@@ -73,7 +74,7 @@ bool holds(const std::vector<std::string>& parts, const std::vector<std::string>
   return std::search(parts.begin(), parts.end(), some.begin(), some.end()) != parts.end();
 }
 
-/// Those that are spelt much like the word.
+/// The words that are spelt much like the word.
 std::vector<std::string> misspelt(const std::string& word, const std::vector<std::string>& known) {
   constexpr std::size_t shortest = 3;  // letters: of fewer, one that is wrong leaves too little
   if (word.size() < shortest) return {};
@@ -91,8 +92,8 @@ std::vector<std::string> misspelt(const std::string& word, const std::vector<std
   return best;
 }
 
-/// Those whose name holds the word's, as few parts longer as there are. What has a unit is not
-/// meant for what has none.
+/// The words whose name holds the word's, as few parts longer as there are. A word with a unit does
+/// not stand for one without.
 std::vector<std::string> longer(const StemAndUnit& word, const std::vector<std::string>& known) {
   const auto parts = [](const std::string& candidate) {
     return StemAndUnit(candidate).stem.size();
@@ -107,7 +108,7 @@ std::vector<std::string> longer(const StemAndUnit& word, const std::vector<std::
   return those(all, [&](const std::string& c) { return parts(c) == fewest; });
 }
 
-/// Those that are the word but for case, or else but for their unit.
+/// The words that differ from the word in case alone, or else in their unit alone.
 std::vector<std::string> alike(const std::string& word, const std::vector<std::string>& known) {
   const StemAndUnit named(word);
   auto found = those(known, [&](const std::string& c) { return folded(c) == folded(word); });
@@ -117,8 +118,7 @@ std::vector<std::string> alike(const std::string& word, const std::vector<std::s
 }
 
 std::vector<std::string> closest(const std::string& word, const std::vector<std::string>& known) {
-  constexpr std::size_t longest_key =
-      100;  // nobody mistypes a key into that; keeps the table small
+  constexpr std::size_t longest_key = 100;  // longer than any mistyped key; keeps the table small
   if (word.empty() || word.size() > longest_key) return {};
   auto found = alike(word, known);
   if (found.empty()) found = misspelt(word, known);
@@ -127,7 +127,7 @@ std::vector<std::string> closest(const std::string& word, const std::vector<std:
   return found.size() <= most ? found : std::vector<std::string>{};
 }
 
-/// What the word that is meant says and the word that was written does not.
+/// The part of the meant word that the written one lacks.
 std::string difference(const StemAndUnit& written, const std::string& meant) {
   const StemAndUnit named(meant);
   const auto has = [](const StemAndUnit& n, const char* part) {

@@ -9,7 +9,7 @@ namespace photic::scene {
 
 /// "did you mean 'x'?" if one of the known words is close to `word`: the same but for case, for its
 /// unit or for few letters, or longer by whole words ('half_divergence_mrad' for
-/// 'divergence_mrad'). What differs besides letters is told: the unit, or that 'x' is half of an
+/// 'divergence_mrad'). Differences besides letters are stated: the unit, or that 'x' is half of an
 /// angle. Else "<lead>: a, b, c".
 std::string suggestion_for(const std::string& word, const std::vector<std::string>& known,
                            const std::string& lead);

@@ -97,7 +97,7 @@ void TableReader::unavailable(const char* key, const char* instead) {
   refused_.push_back(key);
 }
 
-/// What to write in place of a key that is not known here.
+/// A suggestion of what to write in place of a key that is not known here.
 std::string TableReader::instead_of(const std::string& key) const {
   if (const auto same = same_word(key, known_)) return *same;
   if (const auto place = place_of_key(key, name_.path.empty())) return *place;

@@ -12,17 +12,17 @@
 
 namespace photic::scene {
 
-/// What the readers of all tables of one scene share.
+/// The context that the readers of all tables of one scene share.
 struct ReadContext {
   Findings& findings;
-  std::optional<std::string> folder;  ///< where relative files lie; none: no file may be named
+  std::optional<std::string> folder;  ///< that of relative files; none: no file may be named
 };
 
-/// Where a table stands in the scene.
+/// The place of a table in the scene.
 struct TableName {
   std::string path;    ///< "sea.layer.0"
   std::string header;  ///< "sea.layer"
-  std::string label;   ///< what messages call it: "[[sea.layer]]", "'phase_function'"
+  std::string label;   ///< its name in messages: "[[sea.layer]]", "'phase_function'"
 
   [[nodiscard]] bool is_section() const { return label.front() == '['; }
 };
@@ -34,7 +34,7 @@ class TableReader {
 
   /// A key of the format that this version refuses.
   void unavailable(const char* key, const char* instead);
-  /// To be called last: keys that nobody asked for are errors.
+  /// To be called last: keys that were not asked for are errors.
   void finish();
 
  protected:
@@ -58,7 +58,7 @@ class TableReader {
   /// Keys of a choice of `selector` that was not made: `word` was.
   void refuse_foreign(const Names& keys, const std::string& selector, const std::string& word,
                       const std::vector<std::string>& choices);
-  /// How many of the groups of keys are given here; says so if it should be one.
+  /// The number of the groups of keys that are given here; reports it if it should be one.
   std::size_t check_groups(const std::vector<Names>& groups);
   /// Says so if none of the keys is given.
   void check_any(const Names& keys);

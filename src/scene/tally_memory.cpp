@@ -8,20 +8,21 @@ namespace {
 // Of a number with its square: a sum, and the sum before an incomplete batch or on its way into the
 // file; the number in two batches, or mean and error in the result.
 constexpr double per_sum = 16.0 + 16.0 + 16.0;
-/// Of an order or a process, with its flags.
+/// Bytes of an order or a process, with its flags.
 constexpr double per_part = per_sum + 5.0;
 constexpr double per_sum_of_batch = 8.0;
-/// Of a cell by itself: sums, snapshots of them, flags, diagnostics.
+/// Bytes of a cell by itself: sums, snapshots of them, flags, diagnostics.
 constexpr double per_cell = 2 * 24.0 + 500.0;
 constexpr double per_cell_of_batch = 24.0;
-/// Of a kind of its scores: counts by 128 octaves, of 8 bytes twice, and of 4 in two batches.
+/// Bytes of a kind of its scores: counts by 128 octaves, of 8 bytes twice, and of 4 in two batches.
 constexpr double per_kind = 2 * 1024.0 + 2 * 512.0;
 constexpr double per_kind_of_batch = 512.0;
-/// Of a cell in other water: tally::EnvironmentSums as sums above, and four numbers of the result.
+/// Bytes of a cell in other water: tally::EnvironmentSums as sums above, and four numbers of the
+/// result.
 constexpr double per_water = 2 * 168.0 + 2 * 56.0 + 32.0;
 constexpr double per_water_of_batch = 56.0;
 
-/// Of scores, at most (tally::kinds_of_walked).
+/// The number of kinds of scores, at most (tally::kinds_of_walked).
 double kinds_in(const Scene& scene) {
   const auto estimator = scene.simulation.estimator;
   return estimator == Estimator::forward || estimator == Estimator::analog ? 1 : 3;

@@ -1,4 +1,4 @@
-// What the tallies of a scene take in memory.
+// The memory that the tallies of a scene take.
 #pragma once
 
 #include "scene/scene.hpp"

@@ -20,11 +20,11 @@ struct NamedDecade {
   int decade;
 };
 
-// Where case matters: m is no M. "db" is how some write decibars.
+// Symbols, whose case matters: m is no M. Some write decibars as "db".
 constexpr std::array symbols{NamedUnit{"g", {0, 1, 0, 0}},  NamedUnit{"m", {0, 0, 1, 0}},
                              NamedUnit{"l", {-3, 0, 3, 0}}, NamedUnit{"L", {-3, 0, 3, 0}},
                              NamedUnit{"Pa", {0, 0, 0, 1}}, NamedUnit{"db", {4, 0, 0, 1}}};
-// Where it does not, nor whether there are several.
+// Words, in any case, in the singular or the plural.
 constexpr std::array unit_words{
     NamedUnit{"gram", {0, 1, 0, 0}},   NamedUnit{"metre", {0, 0, 1, 0}},
     NamedUnit{"meter", {0, 0, 1, 0}},  NamedUnit{"litre", {-3, 0, 3, 0}},
@@ -85,7 +85,7 @@ class UnitReader {
   }
 
  private:
-  /// Whatever only stands between factors. Whether anything is left.
+  /// Skips all that only stands between factors. Returns whether anything is left.
   bool skip_blanks() {
     while (at_ < text_.size() && std::string(" .*").find(text_[at_]) != std::string::npos) ++at_;
     return at_ < text_.size();

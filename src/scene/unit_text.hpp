@@ -11,8 +11,8 @@ struct Unit {
   int decade = 0, gram = 0, metre = 0, pascal = 0;
 };
 
-/// As the field and udunits write them: "mg m-3", "ug/l", "milligrams per m^3", "decibar". Nothing
-/// for what is none of them.
+/// The unit of a text as the field and udunits write it: "mg m-3", "ug/l", "milligrams per m^3",
+/// "decibar". None for other texts.
 [[nodiscard]] std::optional<Unit> unit_called(const std::string& text);
 
 [[nodiscard]] std::string lower_case(std::string text);

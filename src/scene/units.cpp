@@ -13,8 +13,8 @@
 namespace photic::scene {
 namespace {
 
-/// What the end of a key's name tells of its unit, the longer ends first. Files may give those that
-/// have a `unit`, a product of others, in other units of the same kind.
+/// The unit by the end of a key's name, the longer ends first. Files may give those that have a
+/// `unit`, a product of others, in other units of the same kind.
 struct KeyUnit {
   const char* ending;
   const char* text;

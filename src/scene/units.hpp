@@ -1,4 +1,4 @@
-// What makes of numbers in a file's units those that a key of a scene means.
+// The conversion of numbers in a file's units to those that a key of a scene means.
 #pragma once
 
 #include <limits>
@@ -19,11 +19,11 @@ struct Conversion {
   [[nodiscard]] double operator()(double x) const;
 };
 
-/// Nothing if they are not of one kind.
+/// None if they are not of one kind.
 [[nodiscard]] std::optional<Conversion> conversion(const Unit& from, const Unit& to);
 
-/// To the unit that the name of a key ends in (chlorophyll_mg_m3, a_per_m), from what a file calls
-/// its units and, where salinities are absolute, its standard name (CF). Nothing if that is not
+/// The conversion to the unit that the name of a key ends in (chlorophyll_mg_m3, a_per_m), from the
+/// units of a file and, where salinities are absolute, its standard name (CF). None if that is not
 /// understood.
 [[nodiscard]] std::optional<Conversion> conversion_to(const std::string& key,
                                                       const std::string& units,
@@ -44,7 +44,7 @@ struct OtherUnit {
   [[nodiscard]] double operator()(double x) const { return x * factor + offset; }
 };
 
-/// Those worth a guess where a value of the key is refused.
+/// The units worth a guess where a value of the key is refused.
 [[nodiscard]] std::vector<OtherUnit> other_units_of(const std::string& key);
 
 /// "… are understood": what a file may call units of this key.
@@ -55,7 +55,8 @@ struct OtherUnit {
 void refuse_other_units(const optics::DataTable& table, const std::string& column,
                         const std::string& key);
 
-/// Whether a file's salinities are in grams per kilogram (TEOS-10), which are not practical ones.
+/// Returns whether a file's salinities are in grams per kilogram (TEOS-10), which are not practical
+/// ones.
 [[nodiscard]] bool is_absolute_salinity(const std::string& units, const std::string& standard_name);
 
 }  // namespace photic::scene

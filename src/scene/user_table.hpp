@@ -21,7 +21,8 @@ class UserTable {
   };
 
   UserTable() = default;
-  /// Those columns of a table that a scene takes. Throws InputError with all that is wrong in them.
+  /// Takes the columns of a table that a scene uses. Throws InputError with all that is wrong in
+  /// them.
   UserTable(const optics::DataTable& data, const std::vector<std::string>& columns);
 
   /// For the optics: it knows the place of every number, for messages.

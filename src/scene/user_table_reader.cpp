@@ -84,7 +84,7 @@ std::string unequal_lengths(const std::vector<optics::DataTable::Column>& column
   return equal ? "" : fmt::format("{}", fmt::join(lengths, ", "));
 }
 
-/// Of a column that was read.
+/// The cells of a column that was read.
 std::vector<optics::DataTable::Cell> cells_of(const Node& column, const std::vector<double>& read) {
   std::vector<optics::DataTable::Cell> cells;
   for (const Node& element : *column.as<Node::Array>())
@@ -135,7 +135,7 @@ void read_table(const TableOrFile& rule, const Node& node, const TableName& name
     read_columns(rule, node, name, shared, value);
 }
 
-/// A table of one column tells nothing.
+/// Refuses a table of one column, which depends on nothing.
 void check_dependence(const NumberOrTable& rule, const Node& node, const TableName& name,
                       ReadContext& shared, const UserTable& table) {
   if (table.columns().size() != 1) return;

@@ -9,8 +9,8 @@
 
 namespace photic::scene {
 
-/// What is wrong with the value itself is returned; what is wrong in the file, or with columns, is
-/// told at its place, and `value` is left as it was.
+/// A problem of the value itself is returned; one in the file, or with columns, is reported at its
+/// place, and `value` is left as it was.
 std::optional<Refusal> read_user_table(const TableOrFile& rule, const Node& node,
                                        const TableName& name, ReadContext& shared,
                                        UserTable& value);

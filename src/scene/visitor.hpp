@@ -1,4 +1,4 @@
-// What the visitors of describe_*.hpp have in common. A visitor has
+// The common interface of the visitors of describe_*.hpp. A visitor has
 //   required, optional(name, value, rule, meaning)   a single value
 //   profiled(name, value, rule, meaning, scale)      a number that may be a profile in the file
 //                                                    (scene/expand_layers.hpp); the scale, which
@@ -26,7 +26,7 @@ namespace photic::scene {
 
 enum class Need { required, optional };
 
-/// Whom a key is for: who writes a first scene, or who knows what the key changes.
+/// The users that a key is for: those who write a first scene, or those who know its effect.
 enum class Level { basic, expert };
 
 /// The name of a key, and what else editors should know of it. A plain name is one for everybody
@@ -45,7 +45,7 @@ inline Key expert(Key key) {
   return key;
 }
 
-/// Of a number that is no quantity, as a seed, or that has the unit of another key.
+/// Returns the key of a number that is no quantity, as a seed, or that has the unit of another key.
 inline Key without_unit(Key key) {
   key.has_unit = false;
   return key;

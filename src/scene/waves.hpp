@@ -1,4 +1,4 @@
-// What scenes with waves cannot have.
+// Settings that scenes with waves cannot have.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,8 @@
 
 namespace photic::scene {
 
-/// What the bidirectional estimator has not yet that a scene's waves ask for, if there is anything.
+/// The parts that a scene's waves ask for and the bidirectional estimator lacks so far, if there
+/// are any.
 std::optional<std::string> bidirectional_lacks(const Scene& scene);
 
 }  // namespace photic::scene

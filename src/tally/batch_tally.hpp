@@ -1,4 +1,4 @@
-// What one batch of photons scored. One worker fills it; then it is merged into the Totals and
+// The scores of one batch of photons. One worker fills it; then it is merged into the Totals and
 // cleared.
 #pragma once
 
@@ -28,7 +28,7 @@ inline int score_octave(double value) {
   return exponent < first ? 0 : score_octaves - 1;
 }
 
-/// Of the scores in a cell.
+/// The numbers of scores in a cell.
 struct CellScores {
   double largest = 0;    ///< single score
   double cut_order = 0;  ///< first order beyond max_order
@@ -58,15 +58,15 @@ struct Score {
   Walked walked = Walked::none;
 };
 
-/// Where scores belong: the gate, if their light is emitted at once, and the cell of depth; -1:
-/// none. Integer: of one, or one in each lane.
+/// The place of scores: the gate, if their light is emitted at once, and the cell of depth; -1:
+/// none. Integer: an integer, or one in each lane.
 template <class Integer>
 struct Places {
   Integer gate{}, depth{};
 };
 
-/// What a batch scored in one cell for some environments, one behind the other: added up for all of
-/// them at once.
+/// The scores of a batch in one cell for some environments, one behind the other: added up for all
+/// of them at once.
 struct EnvironmentScores {
   static constexpr std::size_t size = 8;
   using Each = std::array<double, size>;
@@ -96,13 +96,13 @@ struct EnvironmentScores {
   friend bool operator==(const EnvironmentScores&, const EnvironmentScores&) = default;
 };
 
-/// Where a grid of parts is among the sums of a cell.
+/// The place of a grid of parts among the sums of a cell.
 struct GridPlaces {
   std::size_t size = 0;  ///< cells for each gate
   std::size_t offset = 0;
 };
 
-/// What a batch scored on a grid that is a profile.
+/// The scores of a batch on a grid that is a profile.
 struct ProfileScores {
   std::size_t size = 0;                               ///< cells for each gate
   ZeroedVector<double> sums{};                        ///< [cell][cell of the grid]
@@ -148,7 +148,8 @@ class BatchTally {
   void clear();
 
   std::vector<bool> rests;  ///< [row] whose scores are not asked for
-  /// Whether any channel of a telescope asks for the light of a line, or of one within its view.
+  /// Returns whether any channel of a telescope asks for the light of a line, or of one within its
+  /// view.
   [[nodiscard]] bool wants(std::size_t telescope, std::int32_t line) const;
 
   /// Calls f(array, size) for all that is summed in cells, `size` elements of each; but for
@@ -222,7 +223,7 @@ class BatchTally {
   void add_cell(std::size_t from, std::size_t to);
   /// Adds to a sum of a profile.
   void add_to_profile(std::size_t cell, std::size_t at, double value);
-  /// Adds a share of a score to a cell. Tells whether its echo has it.
+  /// Adds a share of a score to a cell. Returns whether its echo has it.
   bool add(const Score& s, std::int32_t depth, std::size_t cell, double share);
 
   const Shape* shape_;

@@ -1,4 +1,4 @@
-// Whether the totals' error bars can be relied on, and which rows need no more photons.
+// Tests of whether the totals' error bars can be relied on, and of which rows need no more photons.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,20 +19,20 @@ namespace {
 // bars").
 constexpr double min_batches = 30;
 constexpr double largest_relative_error = 0.10;
-constexpr double tail_scores = 100;  // at least, that tell how the largest ones are distributed
+constexpr double tail_scores = 100;  // at least, to see how the largest ones are distributed
 /// Scores like 1 / d^2, of points a distance d away, exceed x with a chance as x^-1.5: taken to be
-/// known as well as tail_scores scores would tell.
+/// known as well as if by tail_scores scores.
 constexpr double expected_index = 1.5;
 constexpr double min_tail_index = 1.05;  // tails have a mean
 constexpr double largest_unseen = 1;     // in standard errors of the batches
-/// Of telescopes' walks, at least: with fewer they have hardly ever come near the beam, and what
-/// only they can find has not been seen (decision 39).
+/// The least number of scores of telescopes' walks: with fewer they have hardly ever come near the
+/// beam, and the light that only they can find has not been seen (decision 39).
 constexpr double min_scores_with_telescope = 300;
-/// Of an echo, that its flags do not ask about (decision 47).
+/// The share of an echo that its flags do not ask about (decision 47).
 constexpr double negligible_share = 1e-3;
 // Scores of environments and differences are not counted by octave, and ratios of the waters give
-// them tails of their own: their second moment stands in no fewer scores than 30, as sums of fourth
-// powers tell, and their variance is known as MCNP asks for (X-5 Monte Carlo Team, LA-UR-03-1987
+// them tails of their own: their second moment stands in no fewer scores than 30, by sums of fourth
+// powers, and their variance is known as MCNP asks for (X-5 Monte Carlo Team, LA-UR-03-1987
 // (2003)).
 constexpr double largest_fourth_share = 1.0 / 30;
 constexpr double largest_variance_of_variance = 0.1;
@@ -81,12 +81,12 @@ double fourth_powers(const Octaves& octaves, double largest) {
   return std::pow(largest, 4) + sum * 15 / (4 * std::numbers::ln2);
 }
 
-/// Whether the unseen part of a sum exceeds its error, and is not negligible.
+/// Returns whether the unseen part of a sum exceeds its error, and is not negligible.
 bool heavy(double unseen, double error, double sum) {
   return unseen > largest_unseen * error && unseen > negligible_share * std::abs(sum);
 }
 
-/// Whether few scores carry the second moment.
+/// Returns whether few scores carry the second moment.
 bool heavy(const Powers& p) { return p.fourth > largest_fourth_share * p.square * p.square; }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace photic::tally {
 namespace {
 
-/// Of a score: smaller than what a double tells apart.
+/// A share of a score below the resolution of a double.
 constexpr double nothing = 1e-17;
 
 }  // namespace

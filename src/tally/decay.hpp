@@ -1,4 +1,5 @@
-// When light leaves an emitter that excited light has come to: not at once, but by and by.
+// The time at which light leaves an emitter that excited light has come to: not at once, but by and
+// by.
 #pragma once
 
 #include <cstdint>

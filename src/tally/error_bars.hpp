@@ -5,7 +5,7 @@
 
 namespace photic::tally {
 
-/// What a cell has been scored in.
+/// The photons and batches that a cell has been scored in.
 struct Counted {
   double photons = 0, batches = 0;
 };
@@ -13,8 +13,8 @@ struct Counted {
 /// Mean per photon.
 inline double mean(const Sums& s, const Counted& n) { return s.x / n.photons; }
 
-/// Standard error of the sum, of which every batch is a sample; NaN of a single one, which does not
-/// tell it.
+/// Standard error of the sum, of which every batch is a sample; NaN for a single one, which has no
+/// spread.
 double error_of_sum(const Sums& s, const Counted& n);
 
 /// Standard error of the mean per photon.
@@ -25,7 +25,7 @@ inline double standard_error(const Sums& s, const Counted& n) {
 /// An error with what is expected of scores not seen yet, which is not taken if it is infinite.
 double with_unseen(double error, double unseen);
 
-/// Of the variance of the mean, over its square; NaN of a single batch.
+/// The variance of the variance of the mean, over its square; NaN for a single batch.
 double variance_of_variance(const TailSums& s, const Counted& n);
 
 /// Standard error of the ratio of two correlated means, to first order (Cochran, Sampling

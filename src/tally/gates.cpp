@@ -9,7 +9,7 @@
 namespace photic::tally {
 namespace {
 
-/// Whether depth tells where first-order light turns: both look down steeply.
+/// Returns whether depth is where first-order light turns: both look down steeply.
 bool looks_down(const scene::Source& source, const scene::Telescope& telescope) {
   const double steep = std::cos(45.0 * radian_per_degree);
   return normalised(source.direction).z < -steep && normalised(telescope.direction).z < -steep;
@@ -65,7 +65,7 @@ double depth_of_range(double range, const scene::Telescope& telescope, double re
   return std::max(0.0, (range - z / -axis.z) * geometry::cosine_in_water(axis.z, refractive_index));
 }
 
-/// Whether a place on a scale is farther from its knee than a bend, on the same side.
+/// Returns whether a place on a scale is farther from its knee than a bend, on the same side.
 bool is_beyond(double place, double bend, double knee) {
   return bend < knee ? place < bend : place > bend;
 }

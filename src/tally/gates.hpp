@@ -75,7 +75,7 @@ class Gates {
   [[nodiscard]] double edge_depth(std::int32_t edge, std::size_t telescope,
                                   const medium::Line& line) const;
   [[nodiscard]] double edge_time_ns(std::int32_t edge) const;
-  /// Of all telescopes: ranges are told along the axis of each.
+  /// True for all telescopes: ranges are along the axis of each.
   [[nodiscard]] bool depth_is_range() const { return depth_is_range_; }
 
   /// Edges of the grid on which the depth of the last scattering is tallied [m]: the depths in the
@@ -83,7 +83,7 @@ class Gates {
   [[nodiscard]] std::vector<double> depth_edges(std::int64_t cells) const;
 
  private:
-  /// Of a telescope: by range or by depth, as its gates are.
+  /// The scale of a telescope: by range or by depth, as its gates are.
   [[nodiscard]] PathScale scale_of(std::size_t telescope, const medium::Line& back) const;
   /// The longest path that edges are made of [m].
   [[nodiscard]] double longest_path() const;
@@ -97,7 +97,7 @@ class Gates {
   bool depth_is_range_ = false;
   PathScale scale_;
   double min_ = 0, step_ = 1, max_ = 1;
-  // Of scale_, in gates:
+  // The knee and slopes of scale_, in gates:
   double knee_gate_ = 0, per_metre_before_ = 1, per_metre_after_ = 1;
   struct Bend {
     double rest;            ///< path there less the knee's [m]

@@ -12,7 +12,7 @@
 
 namespace photic::tally {
 
-/// The properties of a score that tell cells of a grid apart.
+/// The properties of a score by which the cells of a grid differ.
 enum class Quantity : std::uint8_t { order, process, depth };
 
 /// An axis of a grid. Its cells are counted from 0, the last one with all above; or they have
@@ -31,12 +31,12 @@ struct Axis {
   }
 };
 
-/// The one profile has one axis, by depth. Of parts, the first grid is by order and the second one
+/// The one profile has one axis, by depth. The first grid of parts is by order and the second one
 /// by process; further ones may be by both.
 struct Grid {
   std::string name;        ///< "echo_by_order"
   std::string long_name;   ///< "by order of scattering"
-  std::string part{};      ///< what one of its cells holds: "echo of an order"
+  std::string part{};      ///< the contents of one of its cells: "echo of an order"
   std::vector<Axis> axes;  ///< the last one fastest
   /// Profiles are long and mostly empty: they have no flags, and files hold them in single
   /// precision behind the gate. Other grids are before the gate, with flags of their own.

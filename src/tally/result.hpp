@@ -27,7 +27,8 @@ struct GridEstimates : Estimates {
   std::vector<std::int32_t> flags;
 };
 
-/// Why an echo is not converged: bits of Result::convergence_flags (docs/theory.md, "Error bars").
+/// The reasons why an echo is not converged: bits of Result::convergence_flags (docs/theory.md,
+/// "Error bars").
 enum ConvergenceFlag : std::int32_t {
   no_score = 1,             ///< nothing was ever scored here
   few_batches = 2,          ///< too few batches to know a standard error
@@ -48,8 +49,8 @@ struct Result {
   // Axes.
   std::vector<std::string> telescope_name, channel_name;
   std::vector<double> channel_wavelength_nm;  ///< mean over the light it counts
-  /// Of scenes with a film of oil, [telescope][channel]: its absorption on the way down and up, per
-  /// thickness, and what passes a clear film of what passes bare water (medium/film.hpp).
+  /// For scenes with a film of oil, [telescope][channel]: its absorption on the way down and up,
+  /// per thickness, and the transmission of a clear film over that of bare water (medium/film.hpp).
   std::vector<double> film_attenuation_per_m, film_interface_ratio;
   std::vector<double> gate_time_edge_ns;  ///< gates + 1
   /// [telescope][channel][gates + 1]: depth of first-order light, or range; NaN where a telescope
@@ -57,7 +58,7 @@ struct Result {
   std::vector<double> gate_depth_edge_m;
   bool gate_depth_is_range = false;  ///< along the axis of each telescope
 
-  // What was tallied.
+  // The sums of the tallies.
   Estimates echo;                               ///< [telescope][channel][gate]
   std::vector<GridEstimates> grids;             ///< of Shape::grids
   std::vector<std::int32_t> convergence_flags;  ///< [telescope][channel][gate]; 0: converged
@@ -86,7 +87,7 @@ struct Result {
 
   // The run.
   std::string title, scene_toml, version, engine, estimator;
-  std::string estimator_reason;         ///< why "auto" chose it; empty: the scene names it
+  std::string estimator_reason;  ///< reason for the choice of "auto"; empty: the scene names it
   std::vector<std::string> strategies;  ///< in which ways it draws paths, and why not in others
   std::uint64_t seed = 0;
   std::uint64_t photons = 0;                   ///< emitted
@@ -105,8 +106,8 @@ struct Result {
   std::vector<std::string> warnings;  ///< for the user, one sentence each
   std::vector<std::string> sources;   ///< "a of water, 532 nm: source [status]" of the optics used
 
-  /// What a longer run goes on from: the state after the last whole batch. An incomplete batch at
-  /// the end is not in it, since a longer run would have done that batch whole.
+  /// The start of a longer run: the state after the last whole batch. An incomplete batch at the
+  /// end is not in it, since a longer run would have done that batch whole.
   std::optional<TotalsState> state;
 
   [[nodiscard]] std::size_t telescopes() const { return telescope_name.size(); }

@@ -32,7 +32,7 @@ struct Shape {
   std::vector<std::int32_t> process_of_light;
   std::vector<Decay> decay_of_line;  ///< empty if all lines are emitted at once
   std::int32_t max_order = 0;        ///< 0: none; order max_order + 1 is what is cut off
-  /// Of each telescope the next wider one, whose view holds its own; empty if no views nest.
+  /// The next wider telescope of each, whose view holds its own; empty if no views nest.
   std::vector<std::optional<std::size_t>> wider;
 
   [[nodiscard]] Grid& grid(std::string_view name) {

@@ -1,4 +1,5 @@
-// All that is known of the batches merged so far, as plain values: what a run goes on from.
+// All that is known of the batches merged so far, as plain values: the state that a run goes on
+// from.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace photic::tally {
 
 struct Shape;
 
-/// Where the weight of the emitted photons went, in accounts: doubles, or a sum for each lane.
+/// The weight of the emitted photons by destination, in accounts: doubles, or a sum for each lane.
 template <class Account>
 struct Accounts {
   Account absorbed{};  ///< in the water, and not emitted again
@@ -99,8 +100,8 @@ struct Powers {
   friend bool operator==(const Powers&, const Powers&) = default;
 };
 
-/// What is summed in one cell for an environment, whose scores are those of the scene times the
-/// ratios of their paths' weights.
+/// The sums of one cell for an environment, whose scores are those of the scene times the ratios of
+/// their paths' weights.
 struct EnvironmentSums {
   TailSums echo, difference;  ///< the latter to the scene's echo
   double largest = 0;         ///< single score
@@ -108,8 +109,8 @@ struct EnvironmentSums {
   friend bool operator==(const EnvironmentSums&, const EnvironmentSums&) = default;
 };
 
-/// What a row of gates, a channel of a telescope, has been scored in: all that was emitted, but for
-/// what it rested in (Totals::decide_rests).
+/// The photons and batches that a row of gates, a channel of a telescope, has been scored in: all
+/// that were emitted, but for those it rested in (Totals::decide_rests).
 struct Row {
   std::uint64_t photons = 0, batches = 0;
   std::uint64_t rests = 0, will_rest = 0;  ///< 1: in the batches up to the next look, or after it
@@ -132,7 +133,7 @@ using Octaves = std::array<std::uint64_t, score_octaves>;
 /// The whole state of Totals. Two of the same scene that are equal go on alike to the last bit.
 struct TotalsState {
   TotalsState() = default;
-  /// Of no batch yet.
+  /// The state of no batch yet.
   explicit TotalsState(const Shape& shape);
 
   std::uint64_t photons = 0, batches = 0, collisions = 0, scores = 0, too_many_events = 0,
@@ -153,7 +154,7 @@ struct TotalsState {
   friend bool operator==(const TotalsState&, const TotalsState&) = default;
 };
 
-/// How many snapshots a state of so many batches holds.
+/// The number of snapshots that a state of so many batches holds.
 [[nodiscard]] std::size_t snapshots_at(std::uint64_t batches);
 
 }  // namespace photic::tally

@@ -29,13 +29,13 @@ class Totals {
   /// all are awake.
   void let_rest_at(double relative_error);
   void decide_rests();
-  /// [row] who rests in batches up to the next look, or after it.
+  /// [row] True for rows that rest in batches up to the next look, or after it.
   [[nodiscard]] std::vector<bool> resting(bool after_next_look) const;
 
   [[nodiscard]] Counted counted(std::size_t cell) const;
 
-  /// Bits of ConvergenceFlag of an echo cell, the variance of its variance, and the relative error
-  /// that is told of it; 0 if nothing was scored.
+  /// Bits of ConvergenceFlag of an echo cell, the variance of its variance, and its reported
+  /// relative error; 0 if nothing was scored.
   struct Health {
     std::int32_t flags = 0;
     double variance_of_variance = 0, relative_error = 0;
@@ -43,7 +43,8 @@ class Totals {
   };
   [[nodiscard]] Health health(std::size_t cell) const;
 
-  /// Whether every cell that has been scored in is below the relative error and not flagged.
+  /// Returns whether every cell that has been scored in is below the relative error and not
+  /// flagged.
   [[nodiscard]] bool all_converged(double relative_error) const;
   [[nodiscard]] std::size_t converged_cells() const;
   [[nodiscard]] std::size_t scored_cells() const;
@@ -64,29 +65,30 @@ class Totals {
   /// Adds all that a batch scored in a row.
   void merge_row(const BatchTally& batch, std::size_t row);
   void merge_cell(const BatchTally& batch, std::size_t cell);
-  /// What a batch scored in the environments of a cell whose echo in the scene is given.
+  /// Merges the scores of a batch in the environments of a cell whose echo in the scene is given.
   void merge_environments(const BatchTally& batch, std::size_t cell, double echo);
   /// As all_converged, of a row's cells.
   [[nodiscard]] bool row_converged(std::size_t row, double relative_error) const;
-  /// Of sums in a cell with what has not been seen of them.
+  /// Estimates sums in a cell with what has not been seen of them.
   void estimate(const Sums& sums, std::size_t cell, double unseen, Estimates& out) const;
-  /// Of scores of each kind.
+  /// The octaves of the scores of each kind.
   [[nodiscard]] std::span<const Octaves> kinds(std::size_t cell) const;
-  /// Of scores of all kinds, together.
+  /// The octaves of the scores of all kinds, together.
   [[nodiscard]] Octaves octaves(std::size_t cell) const;
   /// The sum expected of scores too rare to have been seen, of all kinds (docs/theory.md, eq. 76);
-  /// infinite of too few scores to tell.
+  /// infinite if there are too few scores.
   [[nodiscard]] double unseen(std::size_t cell) const;
   /// The same of scores that go with those of the echo, in an environment or a difference.
   [[nodiscard]] double unseen_of(std::size_t cell, const Powers& scores) const;
-  /// Standard error of the mean per photon, with what has not been seen; without it if that cannot
-  /// be told.
+  /// Standard error of the mean per photon, with what has not been seen; without it if it is
+  /// unknown.
   [[nodiscard]] static double reported_error(const Sums& sums, const Counted& n, double unseen);
   [[nodiscard]] static Health health_of(const Sums& s, const Counted& n, double unseen);
   /// Bits of ConvergenceFlag of an environment's echo and difference by themselves: a difference
   /// can have a heavier tail than either echo.
   [[nodiscard]] std::int32_t environment_flags(std::size_t cell, const EnvironmentSums& s) const;
-  /// Of a difference alone, as tangents are: their echo is a line through the scene's, and no echo.
+  /// The bits of a difference alone, as tangents are: their echo is a line through the scene's, and
+  /// no echo.
   [[nodiscard]] std::int32_t difference_flags(std::size_t cell, const EnvironmentSums& s) const;
   /// Properties of a gate that its orders and processes share.
   struct Whole {
@@ -96,16 +98,18 @@ class Totals {
   /// Bits of ConvergenceFlag of a part. beside_walks: no walk carries its light.
   [[nodiscard]] std::int32_t part_flags(const Sums& part, std::size_t cell, const Whole& whole,
                                         bool beside_walks) const;
-  /// Of a grid: parts, with flags, [row][part][gate], or a profile, [cell][part].
+  /// Fills in a grid: parts, with flags, [row][part][gate], or a profile, [cell][part].
   void fill_parts(const ZeroedVector<Sums>& parts, const std::vector<Whole>& wholes,
                   GridEstimates& out) const;
   void fill_profile(const ZeroedVector<Sums>& parts, const std::vector<Whole>& wholes,
                     GridEstimates& out) const;
   void fill_environment(std::size_t environment, Result& result) const;
-  /// Of a parameter's value in the scene; `tangent` counts from the first environment.
+  /// Fills in the derivatives by a parameter, with its value in the scene; `tangent` counts from
+  /// the first environment.
   void fill_sensitivity(std::size_t tangent, double value, Result& result) const;
   [[nodiscard]] bool beam_missed(std::size_t cell) const;
-  /// Of the error times the root of the photons, over the last factor of four to eight in them.
+  /// The growth of the error times the root of the photons, over the last factor of four to eight
+  /// in them.
   [[nodiscard]] double error_growth(std::size_t cell) const;
 
   const Shape* shape_;

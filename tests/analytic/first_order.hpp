@@ -59,20 +59,20 @@ inline EquationWater water_of(const medium::Medium& medium, std::size_t line,
 }
 
 /// Where the gates of a telescope and channel begin and end, as group path: that to the depths that
-/// the result tells of them, where there are any and the light is of one line.
+/// the result has them, where there are any and the light is of one line.
 inline std::vector<double> edge_paths(const estimator::Model& model, std::size_t telescope,
                                       std::size_t channel) {
-  const tally::Result told = estimator::describe(model);
+  const tally::Result described = estimator::describe(model);
   const auto& lines = model.medium.line;
   const auto counted = [&](const medium::Line& line) { return line.counted_by[channel] > 0; };
   const bool one_line = std::ranges::count_if(lines, counted) == 1;
   const auto back = std::ranges::find_if(lines, counted);
   std::vector<double> edges;
   for (std::int32_t e = 0; e <= model.gates.count(); ++e) {
-    const std::size_t row = telescope * told.channels() + channel;
+    const std::size_t row = telescope * described.channels() + channel;
     const double depth =
-        told.gate_depth_edge_m[row * (told.gates() + 1) + static_cast<std::size_t>(e)];
-    edges.push_back(told.gate_depth_is_range || !one_line
+        described.gate_depth_edge_m[row * (described.gates() + 1) + static_cast<std::size_t>(e)];
+    edges.push_back(described.gate_depth_is_range || !one_line
                         ? model.gates.edge_path(e)
                         : slant_path(model.scene.source, model.scene.telescope[telescope],
                                      lines.front(), *back, depth));

@@ -21,14 +21,14 @@ def on_a_terminal(command, columns=80, environment=(), **options):
         [str(word) for word in command], stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs, env=env, **options
     )
     os.close(theirs)
-    told = b""
+    output = b""
     try:
         while chunk := os.read(ours, 4096):
-            told += chunk
+            output += chunk
     except OSError:  # EIO: the program is gone
         pass
     os.close(ours)
-    return process.wait(timeout=60), told.decode().replace("\r\n", "\n")
+    return process.wait(timeout=60), output.decode().replace("\r\n", "\n")
 
 
 def without_colour(text):

@@ -49,10 +49,10 @@ def test_an_optical_depth_is_given_back(photic, scene, depth):
 def test_visibilities_have_their_optical_depths(photic, scene):
     with_air(scene, AIR)
     for km, depth in {5: 1.171, 10: 0.674, 23: 0.325, 40: 0.195}.items():
-        told = depth_at_550(photic, "--set", f"atmosphere.visibility_km={km}")
-        assert told == pytest.approx(depth, abs=6e-4)
+        reported = depth_at_550(photic, "--set", f"atmosphere.visibility_km={km}")
+        assert reported == pytest.approx(depth, abs=6e-4)
         if km == 23:
-            assert depth_at_550(photic) == told
+            assert depth_at_550(photic) == reported
 
 
 # From the scene's histories, in results that read back. Seen red: without take_out_replaced().

@@ -89,7 +89,7 @@ def test_a_csv_result_has_a_netcdf_checkpoint(photic, start, tmp_path):
     assert not checkpoint.exists()
 
 
-def test_what_a_killed_run_left_is_told_and_never_replaced_by_less(photic, start, tmp_path, program):
+def test_what_a_killed_run_left_is_reported_and_never_replaced_by_less(photic, start, tmp_path, program):
     # Seen red: without the line; with a checkpoint of fewer photons written over it; with the removal of what holds more
     # than the result.
     checkpoint = tmp_path / "quick.checkpoint.nc"
@@ -161,7 +161,7 @@ def test_a_disk_that_is_full_at_the_end_leaves_the_checkpoint(start, tmp_path):
 
 
 def test_an_interrupted_run_goes_on(photic, start, tmp_path, program):
-    # Seen red: without the line that tells how.
+    # Seen red: without the line that says how.
     process = start(*YEARS)
     wait_until_it_listens(process)
     process.send_signal(signal.SIGTERM)

@@ -35,7 +35,7 @@ def test_help_shows_every_subcommand_and_an_example(photic):
 
 
 @pytest.mark.parametrize("words", [(), ("help",)])
-def test_who_asks_nothing_is_told_the_commands(photic, words):
+def test_no_arguments_show_the_commands(photic, words):
     done = photic(*words)
     assert (done.returncode, done.stderr) == (0, "")
     assert all(f"\n  {command} " in done.stdout for command in COMMANDS)

@@ -1,4 +1,4 @@
-"""Completion: what photic complete tells, and what the shells make of it."""
+"""Completion: what photic complete lists, and what the shells make of it."""
 
 import os
 import pty
@@ -63,12 +63,12 @@ def test_what_may_follow_whatever_was_typed(candidates):
     assert {"sea.layer.0.chlorophyll_mg_m3=", "sea.salinity_psu="} <= set(candidates("run", "my.toml", "--set", ""))
 
 
-def test_every_subcommand_and_option_is_told_with_what_it_does(photic, candidates):
+def test_every_subcommand_and_option_is_listed_with_what_it_does(photic, candidates):
     commands = candidates("")
     assert {"run", "bench", "check", "show", "optics", "new", "schema"} <= set(commands)
     assert not {"complete", "manual"} & set(commands)
-    told = photic("complete", "--", "").stdout + photic("complete", "--", "run", "-").stdout
-    assert all(len(line.split("\t")) == 2 for line in told.splitlines())
+    output = photic("complete", "--", "").stdout + photic("complete", "--", "run", "-").stdout
+    assert all(len(line.split("\t")) == 2 for line in output.splitlines())
     for command in commands:
         assert "--help" in candidates(command, "-")
 
@@ -80,7 +80,7 @@ def test_kinds_of_starter_scenes(photic, candidates, tmp_path):
         assert photic("new", kind, "-o", f"{kind}.toml").returncode == 0
 
 
-def test_help_tells_nothing_of_what_is_for_shells(photic):
+def test_help_says_nothing_of_what_is_for_shells(photic):
     assert "complete" not in photic("--help").stdout
     assert "complete" not in photic("nothing").stderr
 
@@ -101,10 +101,10 @@ def environment(program, folder):
 
 
 def read_until(terminal, wanted):
-    told = ""
-    while not (found := re.search(wanted, told)):
-        assert select.select([terminal], [], [], 10)[0], told
-        told += os.read(terminal, 4096).decode()
+    output = ""
+    while not (found := re.search(wanted, output)):
+        assert select.select([terminal], [], [], 10)[0], output
+        output += os.read(terminal, 4096).decode()
     return found
 
 
@@ -167,4 +167,4 @@ def test_fish(environment, folder, line, expected):
         cwd=folder, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=60, check=False,
     )
     assert (done.returncode, done.stderr) == (0, "")
-    assert sorted(told.partition("\t")[0] for told in done.stdout.splitlines()) == expected
+    assert sorted(line.partition("\t")[0] for line in done.stdout.splitlines()) == expected

@@ -48,9 +48,9 @@ def test_instruction_sets_are_chosen(tmp_path):
 
 
 def test_the_demo_installs_no_package_that_the_tests_alone_need():
-    # Without dpkg-query the script tells all names.
+    # Without dpkg-query the script lists all names.
     command = ["/bin/bash", SOURCE / "tools/install_packages"]
-    told = {kind: subprocess.run([*command, kind], env={"PATH": ""}, capture_output=True, text=True, check=False).stderr
+    said = {kind: subprocess.run([*command, kind], env={"PATH": ""}, capture_output=True, text=True, check=False).stderr
             for kind in ("demo", "test")}
-    assert "libnetcdf-dev" in told["demo"] and "random123" not in told["demo"]
-    assert "librandom123-dev" in told["test"]
+    assert "libnetcdf-dev" in said["demo"] and "random123" not in said["demo"]
+    assert "librandom123-dev" in said["test"]

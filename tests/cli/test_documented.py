@@ -42,18 +42,18 @@ def test_commands_are_taken_from_pages_in_order_and_run_in_one_folder(tmp_path, 
     assert (done.returncode, done.stdout) == (0, f"one of {tmp_path}\n")
 
 
-def test_a_command_that_fails_is_told_with_its_place(tmp_path, installed_environment):
+def test_a_command_that_fails_is_reported_with_its_place(tmp_path, installed_environment):
     page = tmp_path / "page.md"
     page.write_text(PAGE.replace("$ cat out", "$ false | cat; echo on"))
     done = run_all(page, tmp_path, installed_environment)
     assert done.returncode == 1
-    place, *pipe = done.stderr.splitlines()[-3:]  # of a pipe the shell tells the parts in any order
+    place, *pipe = done.stderr.splitlines()[-3:]  # of a pipe the shell prints the parts in any order
     assert (place, sorted(pipe)) == ("+ : page.md:12", ["+ cat", "+ false"])
     assert done.stdout == ""
 
 
 @pytest.mark.parametrize("tag", ["bash", "shell", "sh (not run)", "sh (not run: )", "sh quick"])
-def test_tags_that_tell_too_little_are_refused(tmp_path, tag):
+def test_tags_that_say_too_little_are_refused(tmp_path, tag):
     page = tmp_path / "page.md"
     page.write_text(f"```{tag}\nphotic new ship\n```\n")
     with pytest.raises(ValueError, match=r"page.md:2: "):

@@ -19,7 +19,7 @@ def environments(scene):
     return scene
 
 
-def test_run_tells_and_writes_them(photic, environments, tmp_path):
+def test_run_prints_and_writes_them(photic, environments, tmp_path):
     done = photic("run", "quick.toml", "-o", "out.nc")
     assert done.returncode == 0, done.stderr
     assert "Environments: echo over that of the scene" in done.stdout
@@ -53,7 +53,7 @@ def test_a_run_goes_on_with_them(photic, environments, tmp_path):
             assert (then[name][:] == once[name][:]).all(), name
 
 
-def test_water_that_histories_never_see_is_told_at_its_place(photic, environments):
+def test_water_that_histories_never_see_is_reported_at_its_place(photic, environments):
     text = environments.read_text()
     text = text.replace('"raman"\nprocess = "raman"', '"chl"\nprocess = "chlorophyll"')
     environments.write_text(text.replace("chlorophyll_mg_m3 = 1.0", "").replace("chlorophyll_mg_m3 = 0.1", ""))
@@ -108,7 +108,7 @@ def test_a_grid_runs_as_its_environments(photic, environments, tmp_path):
         assert float(file["environment_echo"][6, 0, 0, 3]) == alone
 
 
-def test_what_is_wrong_with_a_grid_is_told_at_the_value(photic, environments):
+def test_what_is_wrong_with_a_grid_is_reported_at_the_value(photic, environments):
     text = environments.read_text() + GRID.replace("0.02", "-0.02")
     environments.write_text(text)
     done = photic("check", "quick.toml")

@@ -21,7 +21,7 @@ SECTIONS = {
     "`[simulation.tools]`": ["simulation.tools", "simulation.tools.importance"],
     "`[[environment]]`": ["environment"],
 }
-# Elsewhere: where the guide tells of what has no table of its own.
+# Elsewhere: where the guide describes what has no table of its own.
 DEFINITIONS = {"phase_function": "`[sea]` and `[[sea.layer]]`", "profile": "`[sea]` and `[[sea.layer]]`"}
 LONGEST_LINE = 100
 TOP = ["title", "sensitivity", "environment_grid"]
@@ -83,7 +83,7 @@ def tables_of_keys(body):
 
 
 def literal(text):
-    """The value that a default in the guide stands for; None if it is told in words."""
+    """The value that a default in the guide stands for; None if it is given in words."""
     text = text.strip().strip("`")
     if re.fullmatch(r'"[^"]*"|true|false', text) or re.fullmatch(r"-?[0-9.]+(e-?[0-9]+)?", text):
         return json.loads(text)
@@ -152,7 +152,7 @@ def default_cell(cells):
 @pytest.mark.parametrize("heading", SECTIONS)
 def test_defaults_agree(schema, guide, heading):
     # Seen red: with 101 for the default of `meetings`; with the default of `walks` in words; with true for `slick`.
-    told = 0
+    counted = 0
     for header, keys, cells in tables_of_keys(guide[heading]):
         properties = properties_under(schema, heading, header)
         cell = default_cell(cells)
@@ -165,5 +165,5 @@ def test_defaults_agree(schema, guide, heading):
                 assert value.strip("`\"") == default, key
             else:
                 assert literal(value) == default, key
-            told += default is not None
-    assert told > 0 or heading in {"`[bottom]`", "`[gates]`", "`[[environment]]`"}
+            counted += default is not None
+    assert counted > 0 or heading in {"`[bottom]`", "`[gates]`", "`[[environment]]`"}

@@ -1,4 +1,4 @@
-"""Water that hardly scatters, or does little else, and runs too short to tell an error: what is not known is said."""
+"""Water that hardly scatters, or does little else, and runs too short for an error: what is not known is said."""
 
 import csv
 import json
@@ -56,16 +56,16 @@ def ledger_warnings(done):
     return sum(out["ledger"].values()), [text for text in out["warnings"] if "weights add up" in text]
 
 
-def test_a_ledger_that_is_not_whole_is_told(photic, water):
+def test_a_ledger_that_is_not_whole_is_reported(photic, water):
     # Seen red: with a bound of a hundred errors.
     water(0.1, 5.0)
     forward = ("run", "quick.toml", "--json", *estimator("forward"))
-    whole, told = ledger_warnings(photic(*forward))
-    assert whole < 0.8 and len(told) == 1
-    assert told[0].startswith(f"the photons' weights add up to {whole:.2f}, not 1")
-    assert "set directed_fraction = 0" in told[0]
-    whole, told = ledger_warnings(photic(*forward, "--set", "simulation.directed_fraction=0"))
-    assert abs(whole - 1) < 0.01 and told == []
+    whole, warned = ledger_warnings(photic(*forward))
+    assert whole < 0.8 and len(warned) == 1
+    assert warned[0].startswith(f"the photons' weights add up to {whole:.2f}, not 1")
+    assert "set directed_fraction = 0" in warned[0]
+    whole, warned = ledger_warnings(photic(*forward, "--set", "simulation.directed_fraction=0"))
+    assert abs(whole - 1) < 0.01 and warned == []
 
 
 def test_a_ledger_of_few_photons_is_no_reason_to_worry(photic):
@@ -74,7 +74,7 @@ def test_a_ledger_of_few_photons_is_no_reason_to_worry(photic):
     few = ("--photons", "80000", "--set", "simulation.batch_photons=8000")  # ten batches
     run = ("run", scene, "--json", *estimator("forward"), *few, "-o", "few.nc", "--seed")
     ledgers = [ledger_warnings(photic(*run, seed)) for seed in range(1, 7)]
-    assert [told for _, told in ledgers if told] == []
+    assert [warned for _, warned in ledgers if warned] == []
     assert max(abs(whole - 1) for whole, _ in ledgers) > 0.02
 
 
@@ -97,7 +97,7 @@ def test_walks_take_more_of_the_attenuation_where_it_is_scattering(photic, water
 
 
 def test_a_run_with_the_usual_walks_goes_on(photic, water, tmp_path):
-    # Whose scene leaves open what its result tells. Seen red: with the scene compared as it is written.
+    # A scene that leaves open what its result states. Seen red: with the scene compared as it is written.
     water(0.1, 5.0)
     run = ("run", "quick.toml", *estimator("bidirectional"), "--photons")
     assert photic(*run, "2000", "-o", "old.nc").returncode == 0

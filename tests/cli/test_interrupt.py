@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM: the photons so far are kept and the exit code tells; a second one ends at once."""
+"""Ctrl-C and SIGTERM: the photons so far are kept and the exit code says so; a second one ends at once."""
 
 import os
 import pty

@@ -171,7 +171,7 @@ def test_the_result_of_another_scene_file_is_not_replaced(run, scene, tmp_path):
     other.write_text(scene.read_text().replace("chlorophyll_mg_m3 = 0.1", "chlorophyll_mg_m3 = 0.2"))
     before = (tmp_path / "echo.nc").read_bytes()
     done = run("campaign/quick.toml", "-o", "echo.nc", code=2)
-    assert done.stdout == "", "told before the run"
+    assert done.stdout == "", "printed before the run"
     assert done.stderr == (
         "echo.nc: is the result of another scene file, quick.toml, and is left as it is (" + LEFT
     )
@@ -260,7 +260,7 @@ def test_optics_never_replace_a_result(run, photic, scene, tmp_path):
 # --- CSV -----------------------------------------------------------------------------------------
 
 
-def test_a_csv_does_not_tell_its_scene_and_is_kept(run, scene, tmp_path):
+def test_a_csv_does_not_name_its_scene_and_is_kept(run, scene, tmp_path):
     # Seen red: with the older one gone.
     run("quick.toml", "-o", "echo.csv")
     before = (tmp_path / "echo.csv").read_bytes()
@@ -311,7 +311,7 @@ def test_the_checkpoint_of_another_scene_stays(run, start, scene, tmp_path):  # 
 # --- Two runs at once ----------------------------------------------------------------------------
 
 
-def test_the_second_of_two_runs_is_told(run, start, scene, tmp_path):  # noqa: F811
+def test_the_second_of_two_runs_is_warned(run, start, scene, tmp_path):  # noqa: F811
     # Seen red: without a lock; with another one for the checkpoint than for the result.
     process = start("--photons", "1e15")
     wait_until_it_listens(process)

@@ -30,16 +30,16 @@ def test_it_has_the_sections_of_a_manual(page):
     assert re.findall(r"^[A-Z].*[A-Z]$", page, re.MULTILINE) == SECTIONS
 
 
-def test_it_tells_every_command_and_option_that_help_tells(page, photic):
+def test_it_lists_every_command_and_option_that_help_lists(page, photic):
     # Seen red: with the options of `show` left out.
-    told = " ".join(page.replace("\u2010\n", "").split())
+    written = " ".join(page.replace("\u2010\n", "").split())
     listed = photic("--help").stdout.partition("\nCommands\n")[2].partition("\n\n")[0]
     commands = re.findall(r"^  (\w+)", listed, re.MULTILINE)
     assert {"run", "check", "optics"} <= set(commands)
     for command in commands:
         part = page.partition(f"\n   photic {command}\n")[2].partition("\n   photic ")[0]
         help_text = photic(command, "--help").stdout.partition("\nExamples\n")[0]
-        assert part and help_text.splitlines()[0][:40] in told
+        assert part and help_text.splitlines()[0][:40] in written
         for option in re.findall(r"(?<![\w-])--[a-z][a-z-]*", help_text.partition("\nOptions\n")[2]):
             assert option in part, (command, option)
 

@@ -65,5 +65,5 @@ def test_the_limit_counts_what_is_used(program, photic, write):
     used = megabytes(program, scene, *lit) - rest
     write("many.toml", 10, 'process = "elastic"', 60000, 1000)
     refused = photic("check", "many.toml", *lit).stderr
-    told = float(re.search(r"would take ([0-9.]+) GiB", refused)[1]) * 1024 * 3000 / 60000
-    assert used == pytest.approx(told, rel=0.3)
+    stated = float(re.search(r"would take ([0-9.]+) GiB", refused)[1]) * 1024 * 3000 / 60000
+    assert used == pytest.approx(stated, rel=0.3)

@@ -76,7 +76,7 @@ def test_a_file_of_that_name_stays_as_it_is(photic, tmp_path):
     assert not (tmp_path / "mine.toml").exists()
 
 
-def test_a_scene_on_standard_output_tells_of_the_file_that_it_reads(photic, tmp_path):
+def test_a_scene_on_standard_output_names_the_file_that_it_reads(photic, tmp_path):
     done = photic("new", "argo")
     assert done.stderr == "the scene reads argo-profile.csv: photic new argo -o FILE writes both\n"
     assert photic("new", "ship").stderr == ""

@@ -70,7 +70,7 @@ def test_the_same_numbers_in_every_form(photic, library, tmp_path):
     assert f"{out['layers'][1]['backscatter_fraction'][4]:.5f}" in text
 
 
-# Seen red: with b in the place of bb. c = a + b, parts are all of it, phase functions are 1 over the sphere: as far as their angles tell.
+# Seen red: with b in the place of bb. c = a + b, parts are all of it, phase functions are 1 over the sphere: as far as their angles reach.
 def test_numbers_go_together(library):
     a, b, c, bb = (library[name][:] for name in ["a_per_m", "b_per_m", "c_per_m", "bb_per_m"])
     assert c == pytest.approx(a + b, rel=1e-15)
@@ -129,7 +129,7 @@ def test_the_file_holds_its_scene(photic, library):
     assert "cdom_a440_per_m = 0.05" in shown.stdout
 
 
-# Seen red: told as a damaged result.
+# Seen red: reported as a damaged result.
 def test_nothing_goes_on_from_optics(photic, library):
     done = photic("run", "quick.toml", "--continue", "lib.nc")
     assert (done.returncode, done.stdout) == (2, "")
@@ -150,7 +150,7 @@ def test_light_that_nothing_is_emitted_of(photic, scene, tmp_path):
         assert file["albedo"][:].tolist() == [[0], [0]]
 
 
-def test_tells_sources_and_what_stands_behind_them(photic, scene):
+def test_lists_sources_and_what_stands_behind_them(photic, scene):
     text = photic("optics", "quick.toml").stdout
     sources = " ".join(text[text.index("Where the numbers come from") :].split())
     assert "a of water, 532-648.853 nm: Mason" in sources
@@ -237,7 +237,7 @@ def test_refuses(photic, scene, tmp_path, what):
     assert sorted(os.listdir(tmp_path)) == before
 
 
-def test_tells_the_problems_of_a_scene_at_their_places(photic, scene):
+def test_reports_the_problems_of_a_scene_at_their_places(photic, scene):
     scene.write_text(QUICK_SCENE.replace("532.0", "1200.0"))
     done = photic("optics", "quick.toml", "--wavelengths", "532")
     assert (done.returncode, done.stdout) == (2, "")

@@ -62,7 +62,7 @@ def test_air_is_the_same_in_every_form(photic, air, tmp_path):
     assert "a of ozone, 355-532 nm: Serdyuchenko" in text and "OPAC" in text
 
 
-# Phase functions as far as their angles tell: of sea salt with its peak straight ahead and its glory.
+# Phase functions as far as their angles reach: of sea salt with its peak straight ahead and its glory.
 # Seen red: with the molecules' phase function for all.
 def test_the_airs_numbers_go_together(air):
     a, b, c, bb = (air[name][:] for name in ["a_per_m", "b_per_m", "c_per_m", "bb_per_m"])
@@ -101,7 +101,7 @@ def test_files_of_air_are_no_scenes(photic, air, tape7, tmp_path):
 
 # The depths that Bodhaine et al. 1999 print hold at 1013.25 hPa; the standard atmosphere has 0.02 % more.
 # Seen red: with the thickness of layers in km.
-def test_tells_of_air(photic, tmp_path):
+def test_shows_air(photic, tmp_path):
     def depths(*arguments):
         done = photic("optics", "--air", *arguments, "--wavelengths", "355,532")
         assert (done.returncode, done.stderr) == (0, "")
@@ -123,7 +123,7 @@ def test_tells_of_air(photic, tmp_path):
 
 
 # Placeholders say so. Seen red: without the sources.
-def test_tells_of_oils(photic, tmp_path):
+def test_shows_oils(photic, tmp_path):
     done = photic("optics", "--oil", "strongly-absorbing-crude", "--wavelengths", "337,355")
     assert (done.returncode, done.stderr) == (0, "")
     assert "placeholder" in done.stdout and "[1/nm]" in done.stdout
@@ -159,7 +159,7 @@ def test_oils_are_the_same_in_every_form(photic, tmp_path):
 
 # Half way between two wavenumbers in depth; what is printed as 0 stays 0. Seen red: with transmittances
 # interpolated themselves.
-def test_tells_what_a_tape7_holds(photic, tape7, tmp_path):
+def test_shows_what_a_tape7_holds(photic, tape7, tmp_path):
     every = as_json(photic, "--air", "tape7")
     assert every["wavelength_nm"] == pytest.approx([500, 1e7 / 19000, 1e7 / 18000])
     assert every["o3_trans"] == pytest.approx([0.99, 0.95, 0.9]) and every["cloud_trans"] == [0, 0, 0]
@@ -206,9 +206,9 @@ def test_a_tape6_is_one_whether_spectra_follow_or_not(photic, tmp_path):
     (tmp_path / "profiles").write_text(TAPE6)
     (tmp_path / "all").write_text(TAPE6 + SPECTRA)
     (tmp_path / "spectra").write_text(TAPE6.splitlines()[0] + SPECTRA)
-    told = [photic("optics", "--air", name, "--wavelengths", "532").stdout for name in ["profiles", "all"]]
-    assert told[0].replace("profiles", "all") == told[1]
-    molecules, ozone, scattered, absorbed = [float(cell) for cell in re.search(r"\n +532 (.*)", told[1])[1].split()[:4]]
+    reported = [photic("optics", "--air", name, "--wavelengths", "532").stdout for name in ["profiles", "all"]]
+    assert reported[0].replace("profiles", "all") == reported[1]
+    molecules, ozone, scattered, absorbed = [float(cell) for cell in re.search(r"\n +532 (.*)", reported[1])[1].split()[:4]]
     km = 12 * (0.947 - 0.248) / numpy.log(0.947 / 0.248)
     assert molecules == pytest.approx(0.1112 * km / 8.013, rel=1e-3)
     assert ozone > 0 and scattered > 0.3 and absorbed > 0.01
@@ -269,7 +269,7 @@ def test_refuses_air(photic, tape7, tmp_path, what):
 
 
 # Seen red: with the layers of the profile for those of the scene.
-def test_tells_of_the_air_of_a_scene(photic, scene, tmp_path):
+def test_shows_the_air_of_a_scene(photic, scene, tmp_path):
     alone = photic("optics", "--air", "quick.toml")
     assert (alone.returncode, alone.stdout) == (2, "") and "no air above the sea" in alone.stderr
     scene.write_text(scene.read_text() + '[atmosphere]\nprofile = "us-standard"\naerosol = "maritime"\nvisibility_km = 5.0\n'

@@ -1,4 +1,4 @@
-"""What the optics find wrong with a scene is told like all else: file:line:column: reason (suggestion), by every
+"""What the optics find wrong with a scene is reported like all else: file:line:column: reason (suggestion), by every
 command, and before a run."""
 
 import json
@@ -14,7 +14,7 @@ TABLE = IOP + '{ model = "table", file = "vsf.csv" }'
 WATER = "no water absorption data at 1150 nm: Mason 2016 / IOCCG 2018 cover 200-1100 nm"
 INDEX = "no refractive index data at 1150 nm: Quan & Fry 1995, Appl. Opt. 34, 3477, eq. (3) [verified] cover 200-1100 nm"
 
-# What is replaced by what; then the text at which, so many characters on, the problem is told, and the problem.
+# What is replaced by what; then the text at which, so many characters on, the problem is reported, and the problem.
 PROBLEMS = {
     "the laser in the water": ("532.0", "1150.0", "1150.0", 0, WATER),
     "the laser in the algae": ("532.0", "810.0", "810.0", 0, "no phytoplankton absorption data at 810 nm"),
@@ -45,17 +45,17 @@ def test_has_its_place_in_every_command(photic, scene, tmp_path, name):
     if name == "more light than absorbed":
         text = text.replace("chlorophyll_mg_m3 = 0.1", "chlorophyll_mg_m3 = 0.0")
     scene.write_text(text)
-    told = photic("check", "quick.toml")
-    assert (told.returncode, told.stdout) == (2, "")
-    assert place_of(text, mark, shift) + reason in told.stderr
-    assert all(line.startswith("quick.toml:") for line in told.stderr.splitlines()[:-1])
+    reported = photic("check", "quick.toml")
+    assert (reported.returncode, reported.stdout) == (2, "")
+    assert place_of(text, mark, shift) + reason in reported.stderr
+    assert all(line.startswith("quick.toml:") for line in reported.stderr.splitlines()[:-1])
     for command in ["run", "show"]:
         done = photic(command, "quick.toml")
-        assert (done.returncode, done.stdout, done.stderr) == (2, "", told.stderr)
+        assert (done.returncode, done.stdout, done.stderr) == (2, "", reported.stderr)
     assert [p.name for p in tmp_path.iterdir()] == ["quick.toml"]
 
 
-def test_is_told_with_all_else(photic, scene):
+def test_is_reported_with_all_else(photic, scene):
     scene.write_text(QUICK_SCENE.replace("532.0", "1150.0").replace("depth_step_m = 1.0", "depth_step_m = -1.0"))
     first, *_, last, count = photic("check", "quick.toml").stderr.splitlines()
     assert first.startswith(f"quick.toml:3:17: {INDEX} (")
@@ -63,7 +63,7 @@ def test_is_told_with_all_else(photic, scene):
     assert not count.startswith("quick.toml")
 
 
-def test_of_an_environment_is_told_at_its_change(photic, scene):
+def test_of_an_environment_is_reported_at_its_change(photic, scene):
     """Seen red: with the check of the optics not asked about environments."""
     iop = "iop = [{ wavelength_nm = 500.0, a_per_m = 0.06, b_per_m = 0.1 }]"
     text = QUICK_SCENE.replace('"raman"\n[[sea', '"elastic"\n[[sea')
@@ -74,12 +74,12 @@ def test_of_an_environment_is_told_at_its_change(photic, scene):
 """
     scene.write_text(text)
     reason = 'the iop of layer "layer1" covers 499 to 501 nm, not 532 nm; the source emits there (add an entry for it)'
-    told = photic("check", "quick.toml").stderr.splitlines()
-    assert told == [place_of(text, '"sea.layer.1"', 0) + reason, "1 problem in quick.toml"]
-    # What is wrong with the scene, too, is told of the scene alone.
+    reported = photic("check", "quick.toml").stderr.splitlines()
+    assert reported == [place_of(text, '"sea.layer.1"', 0) + reason, "1 problem in quick.toml"]
+    # What is wrong with the scene, too, is reported of the scene alone.
     scene.write_text(text.replace("532.0", "1064.0").replace("500.0", "1064.0"))
-    told = photic("check", "quick.toml").stderr.splitlines()
-    assert [line.split(": ")[0] for line in told[:-1]] == ["quick.toml:3:17"] * (len(told) - 1)
+    reported = photic("check", "quick.toml").stderr.splitlines()
+    assert [line.split(": ")[0] for line in reported[:-1]] == ["quick.toml:3:17"] * (len(reported) - 1)
 
 
 def test_names_the_set_that_asks_for_it(photic, scene):

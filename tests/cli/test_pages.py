@@ -84,10 +84,10 @@ def test_every_identifier_is_there(page, words):
 def test_the_floors_are_drawn_in_their_order():
     # Seen red: with a floor that is none.
     code = "import check_include_order as c; print(*c.FLOORS)"
-    told = subprocess.run([sys.executable, "-B", "-c", code], cwd=SOURCE / "tools", capture_output=True, text=True, check=True)
+    output = subprocess.run([sys.executable, "-B", "-c", code], cwd=SOURCE / "tools", capture_output=True, text=True, check=True)
     drawing = re.search(r"^```\n(.*?)^```$", (SOURCE / PAGES[0]).read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)[1]
     drawn = re.findall(r"^  (\w+) ", drawing, re.MULTILINE)
-    assert drawn[::-1] == told.stdout.split()
+    assert drawn[::-1] == output.stdout.split()
 
 
 @pytest.mark.parametrize("page", PAGES)

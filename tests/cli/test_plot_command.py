@@ -44,7 +44,7 @@ def test_the_python_that_is_named_and_is_none(photic, result):
     )
 
 
-def test_what_is_missing_is_told(photic, result, tmp_path):
+def test_what_is_missing_is_named(photic, result, tmp_path):
     """A Python without modules but its own."""
     bare = tmp_path / "bare python"
     bare.write_text('#!/bin/sh\nexec /usr/bin/python3 -I -S "$@"\n')

@@ -108,8 +108,8 @@ def test_temperature_and_salinity_of_a_float(photic, scene, bgc_file):
     assert layers[0]["salinity_psu"] == pytest.approx(38, abs=0.3)
     assert "temperature_c" not in layers[-1]
     done = photic("optics", "quick.toml", "--wavelengths", "600", "--json")
-    told = json.loads(done.stdout)["layers"]
-    a_water = [layer["parts"]["water"]["a_per_m"][0] for layer in told]
+    reported = json.loads(done.stdout)["layers"]
+    a_water = [layer["parts"]["water"]["a_per_m"][0] for layer in reported]
     # Their absorption rises with temperature there; the last layer has the sea's 20 C.
     assert a_water[0] > a_water[1] > a_water[2]
     flags = bgc_file.read_bytes()

@@ -82,7 +82,7 @@ def expect_refusal(done, code, *words):
     assert "bug" not in done.stderr
 
 
-def test_a_folder_that_is_missing_is_told_before_the_run(photic, scene):
+def test_a_folder_that_is_missing_is_reported_before_the_run(photic, scene):
     # 1e15 photons would take years: an answer at all is an answer before the run.
     # Seen red: without the check before the run.
     done = photic("run", "quick.toml", "--photons", "1e15", "-o", "nowhere/echo.nc")

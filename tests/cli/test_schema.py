@@ -17,7 +17,7 @@ def validator(photic):
     return jsonschema.Draft202012Validator(schema)
 
 
-def test_its_name_tells_the_version(photic, validator):
+def test_its_name_has_the_version(photic, validator):
     version = photic("--version").stdout.split()[1]
     assert validator.schema["$id"] == f"urn:photic:scene:{version}"
     assert validator.schema["$schema"] == "https://json-schema.org/draft/2020-12/schema"

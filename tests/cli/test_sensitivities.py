@@ -1,4 +1,4 @@
-"""Derivatives of echoes, as far as scenes tell."""
+"""Derivatives of echoes, as far as scenes define them."""
 
 import json
 
@@ -8,7 +8,7 @@ def asking(scene, paths):
     scene.write_text(f"sensitivity = [{paths}]\n" + scene.read_text())
 
 
-def test_what_is_wrong_is_told_at_the_path(photic, scene):
+def test_what_is_wrong_is_reported_at_the_path(photic, scene):
     asking(scene, '"sea.layer.0.chlorophyl_mg_m3",\n "sea.layer.1.cdom_a440_per_m", "gates.depth_step_m"')
     done = photic("check", "quick.toml")
     assert done.returncode == 2

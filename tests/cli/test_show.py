@@ -72,17 +72,17 @@ def test_show_writes_a_scene_that_reads_back_the_same(photic, scene, tmp_path):
     assert photic("show", "again.toml", "--json").stdout == photic("show", "quick.toml", "--json").stdout
 
 
-def test_show_tells_of_the_air(photic, scene):
+def test_show_describes_the_air(photic, scene):
     """Seen red: without the notes on air."""
     head = "# The air above the sea:\n"
     assert head not in photic("show", "quick.toml").stdout
     shown = photic("show", "quick.toml", "--set", 'atmosphere={ profile = "us-standard", aerosol = "maritime" }').stdout
-    told = " ".join(line.lstrip("# ") for line in shown.split(head)[1].split("\n\n")[0].splitlines())
-    assert re.match(r"\d+ layers of the profile us-standard, up to 100 km; above them a vacuum ", told)
-    all_, *parts = re.search(r"at 532 nm .* top: ([\d.]+), of which molecules (.*), ozone (.*), aerosols ([\d.]+)", told).groups()
+    reported = " ".join(line.lstrip("# ") for line in shown.split(head)[1].split("\n\n")[0].splitlines())
+    assert re.match(r"\d+ layers of the profile us-standard, up to 100 km; above them a vacuum ", reported)
+    all_, *parts = re.search(r"at 532 nm .* top: ([\d.]+), of which molecules (.*), ozone (.*), aerosols ([\d.]+)", reported).groups()
     assert float(parts[0]) == pytest.approx(0.1112, abs=2e-4)
     assert float(all_) == pytest.approx(sum(map(float, parts)), abs=2e-4)
-    assert told.endswith("left out: the absorption lines of water vapour, oxygen, carbon dioxide and other gases")
+    assert reported.endswith("left out: the absorption lines of water vapour, oxygen, carbon dioxide and other gases")
     assert "Bodhaine et al. 1999" in shown and "Ciddor 1996" in shown
     layers = ('atmosphere={ layer = [{ bottom_height_m = 0, top_height_m = 100, '
               "iop = [{ wavelength_nm = 300, a_per_m = 1e-4, b_per_m = 1e-3 }, "
@@ -91,8 +91,8 @@ def test_show_tells_of_the_air(photic, scene):
     assert "optical depth at 532 nm from the sea to the top: 0.11\n" in shown
 
 
-def test_show_tells_which_telescopes_share_their_light(photic, scene):
-    """Seen red: with what is told left out."""
+def test_show_lists_which_telescopes_share_their_light(photic, scene):
+    """Seen red: with these lines left out."""
     head = "# Telescopes that share their light:\n"
     assert head not in photic("show", "quick.toml").stdout
     text = scene.read_text()
@@ -100,8 +100,8 @@ def test_show_tells_which_telescopes_share_their_light(photic, scene):
     narrow = re.sub("detector_diameter_m = .*", "detector_diameter_m = 0.001", telescope)
     assert narrow != telescope
     scene.write_text(f"{text}\n{narrow}\nname = \"narrow\"\n")
-    told = photic("show", "quick.toml").stdout
-    assert head + "#   telescopes narrow and telescope0 have views inside each other: what is drawn for one serves all\n" in told
+    reported = photic("show", "quick.toml").stdout
+    assert head + "#   telescopes narrow and telescope0 have views inside each other: what is drawn for one serves all\n" in reported
     assert head not in photic("show", "quick.toml", "--set", "simulation.reception=overlap").stdout
 
 
@@ -138,7 +138,7 @@ set = { "sea.layer.1.chlorophyll_mg_m3" = 2, 'optics.phytoplankton' = "prieur-sa
 
 
 def test_how_paths_are_drawn(photic, scene):
-    # Seen red: with nothing told of a scene that names the estimator.
+    # Seen red: with nothing said of a scene that names the estimator.
     named = ("--set", "simulation.estimator=bidirectional")
     lines = photic("show", "quick.toml", *named).stdout.splitlines()
     at = lines.index("# How the bidirectional estimator draws paths:")
@@ -150,10 +150,10 @@ def test_the_beds_albedo_and_where_it_comes_from(photic, scene, tmp_path):
     """Seen red: with every bed's albedo given."""
     (tmp_path / "sand.csv").write_text("wavelength_nm,albedo\n500,0.1\n700,0.25\n")
     scene.write_text(scene.read_text().replace("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = 0.1\n[gates]"))
-    told = "albedo of the sea bed, "
-    lines = [line for line in photic("show", "quick.toml").stdout.splitlines() if told in line]
+    reported = "albedo of the sea bed, "
+    lines = [line for line in photic("show", "quick.toml").stdout.splitlines() if reported in line]
     assert len(lines) == 1
-    assert lines[0].startswith(f"#   {told}532-")
+    assert lines[0].startswith(f"#   {reported}532-")
     assert lines[0].endswith(" nm: 0.1, given")
     of_file = photic("show", "quick.toml", "--set", 'bottom.albedo={ file = "sand.csv" }').stdout
     assert "[bottom]\nalbedo = { wavelength_nm = [500.0, 700.0], albedo = [0.1, 0.25] }\n" in of_file

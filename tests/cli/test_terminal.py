@@ -25,18 +25,18 @@ def test_nothing_is_wider_than_the_terminal(program, scene, tmp_path, columns):
         ["help", "run"],
         ["help", "optics"],
     ):
-        code, told = on_a_terminal([program, *arguments], columns, cwd=tmp_path)
-        assert code == 0, told
-        shown = [line for line in lines_shown(told) if not line.startswith("Plot it: ")]
+        code, output = on_a_terminal([program, *arguments], columns, cwd=tmp_path)
+        assert code == 0, output
+        shown = [line for line in lines_shown(output) if not line.startswith("Plot it: ")]
         assert max(map(len, shown)) <= columns, (arguments, max(shown, key=len))
 
 
-def test_progress_stands_still_and_tells_the_worst_gate(program, scene, tmp_path):
+def test_progress_stands_still_and_shows_the_worst_gate(program, scene, tmp_path):
     # Seen red: with numbers of their own widths; with the target left out.
     command = [program, "run", "quick.toml", "--target", "0.3%", "--photons", "2e7", "--max-time", "2s"]
-    code, told = on_a_terminal(command, 120, cwd=tmp_path)
-    assert code == 0, told
-    drawn = [line for line in lines_shown(told) if "worst gate" in line]
+    code, output = on_a_terminal(command, 120, cwd=tmp_path)
+    assert code == 0, output
+    drawn = [line for line in lines_shown(output) if "worst gate" in line]
     assert len(drawn) > 2
     for field in ("%", "left", "worst gate"):
         assert len({line.index(field) for line in drawn}) == 1, field
@@ -44,33 +44,33 @@ def test_progress_stands_still_and_tells_the_worst_gate(program, scene, tmp_path
     assert all(re.search(r"\d+/20 gates", line) for line in drawn)
     # Other times left have other widths: "2 s left", "41 d left".
     long = ["timeout", "--foreground", "-s", "INT", "1", program, "run", "quick.toml", "--photons", "1e12", "-o", "long.nc"]
-    _, told = on_a_terminal(long, 120, cwd=tmp_path)
-    longs = [line for line in lines_shown(told) if "worst gate" in line]
+    _, output = on_a_terminal(long, 120, cwd=tmp_path)
+    longs = [line for line in lines_shown(output) if "worst gate" in line]
     assert {line.index("worst gate") for line in longs} == {drawn[0].index("worst gate")}
-    code, told = on_a_terminal([*command, "-o", "narrow.nc"], 60, cwd=tmp_path)
-    narrow = [line for line in lines_shown(told) if " left" in line]
+    code, output = on_a_terminal([*command, "-o", "narrow.nc"], 60, cwd=tmp_path)
+    narrow = [line for line in lines_shown(output) if " left" in line]
     assert narrow and all("worst" in line and len(line) < 60 for line in narrow)
 
 
 def test_colour_is_for_terminals(program, scene, tmp_path):
     run = [program, "run", "quick.toml", "--photons", "8000"]
-    _, told = on_a_terminal(run, cwd=tmp_path)
-    assert "\x1b[33m*\x1b[0m" in told, "flags"
-    assert re.search(r"\x1b\[1mconverged: [^\n]*\x1b\[0m", told), "summary"
+    _, output = on_a_terminal(run, cwd=tmp_path)
+    assert "\x1b[33m*\x1b[0m" in output, "flags"
+    assert re.search(r"\x1b\[1mconverged: [^\n]*\x1b\[0m", output), "summary"
     for no_colour in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
-        _, told = on_a_terminal(run, environment=no_colour, cwd=tmp_path)
-        assert not COLOUR.search(told)
+        _, output = on_a_terminal(run, environment=no_colour, cwd=tmp_path)
+        assert not COLOUR.search(output)
     done = subprocess.run(run, cwd=tmp_path, capture_output=True, text=True, check=True)
     assert "\x1b" not in done.stdout + done.stderr
 
 
 def test_errors_are_coloured_and_say_the_same(program, scene, tmp_path):
     scene.write_text(scene.read_text().replace("depth_step_m", "depth_stpe_m"))
-    code, told = on_a_terminal([program, "check", "quick.toml"], 200, cwd=tmp_path)
+    code, output = on_a_terminal([program, "check", "quick.toml"], 200, cwd=tmp_path)
     assert code == 2
-    assert COLOUR.search(told)
+    assert COLOUR.search(output)
     plain = subprocess.run([program, "check", "quick.toml"], cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert without_colour(told) == plain.stderr
+    assert without_colour(output) == plain.stderr
 
 
 def test_quiet_prints_warnings_alone(photic, scene, tmp_path):
@@ -105,8 +105,8 @@ def test_the_summary_says_why_the_estimator_was_taken(photic, scene):
 def test_text_is_the_table_as_printed(photic, scene, tmp_path):
     done = photic("run", "quick.toml", "--photons", "8000", "-o", "my.txt", "--table", "full")
     assert done.returncode == 0, done.stderr
-    told = (tmp_path / "my.txt").read_text()
-    head, table = told.split("\n\n", 1)
+    output = (tmp_path / "my.txt").read_text()
+    head, table = output.split("\n\n", 1)
     assert head.startswith("# a quick scene\n# Photic ") and head.endswith(", photons 8000")
     assert done.stdout == table + "\nResult: my.txt\n"
     (tmp_path / "theirs.txt").write_text("my notes\n")

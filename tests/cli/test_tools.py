@@ -52,7 +52,7 @@ def test_they_are_refused_where_they_mean_nothing(photic, scene):
     assert "the analog estimator cannot use environments: its photons have no weights" in done.stderr
 
 
-def test_what_ending_histories_cuts_is_told(photic, scene, tmp_path):
+def test_what_ending_histories_cuts_is_reported(photic, scene, tmp_path):
     scene.write_text(scene.read_text() + '[simulation.tools]\nweight_threshold = 0.5\nat_threshold = "end"\n')
     done = photic("run", "quick.toml", "-o", "out.nc")
     assert done.returncode == 0, done.stderr

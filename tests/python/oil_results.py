@@ -82,7 +82,7 @@ def drawn_gates(count, errors, correlation):
 
 
 def agrees(found):
-    """Whether the thicknesses scatter as their errors say. Those of 2e5 gates tell the scatter to
+    """Whether the thicknesses scatter as their errors say. Those of 2e5 gates give the scatter to
     0.16 %, and terms of the second order are below 0.1 %: 1 % is passed by chance in 1 of 1e8 cases."""
     predicted = float(numpy.sqrt((found.thickness_standard_error**2).mean()))
     return float(found.thickness.std()) == pytest.approx(predicted, rel=0.01)

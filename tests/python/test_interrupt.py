@@ -82,10 +82,10 @@ def start(tmp_path):
 def caught(python):
     out, errors = python.communicate(timeout=60)
     assert errors == ""
-    told, partial = out.splitlines()
+    said, partial = out.splitlines()
     flag, photons, lit = partial.split()
     assert (flag, lit) == ("1", "True") and 0 < int(photons) < 1e15
-    return told.replace(photons, "N").split("|")
+    return said.replace(photons, "N").split("|")
 
 
 def gone(process_id):

@@ -70,7 +70,7 @@ def test_a_readme_without_a_place_for_a_table():
         pages.readme(RESULTS, README.replace("<!-- measured: speed -->", ""))
 
 
-def test_a_reduced_run_is_told():
+def test_a_reduced_run_is_stated():
     for reduced in (True, False):
         results = RESULTS | {"stamp": RESULTS["stamp"] | {"reduced": reduced}}
         for text in pages.documents(results).values():
@@ -78,7 +78,7 @@ def test_a_reduced_run_is_told():
         assert ("**A reduced run: do not quote.**" in pages.readme(results, README)) == reduced
 
 
-def test_what_is_missing_failed_or_missed_is_told():
+def test_what_is_missing_failed_or_missed_is_stated():
     # Seen red: with failures left out of the page.
     slabs = RESULTS["measurements"]["slabs"]
     low = slabs | {"raw": slabs["raw"] | {"slab": slabs["raw"]["slab"] | {"escaped": 0.05}}}
@@ -93,7 +93,7 @@ def test_what_is_missing_failed_or_missed_is_told():
 
 
 def made_up(seeds, cells, shrunk=1.0, flagged=lambda seed, cell: False):
-    """Counts of runs whose echoes are normal about 1 with an error of 0.01, and tell that error `shrunk`."""
+    """Counts of runs whose echoes are normal about 1 with an error of 0.01, and report that error `shrunk`."""
     chance = random.Random(5)
     runs = [
         {("t", "c", k): (chance.gauss(1, 0.01), 0.01 * shrunk, not flagged(seed, k)) for k in range(cells)} for seed in range(seeds)
@@ -188,11 +188,11 @@ def test_scenes_in_multiples_of_a_yardstick():
         return [{"cpu_s": abs(t), "estimator": "forward", "gates": 9, **ends[t > 0]} for t in times]
 
     raw = {"yardstick": runs(1, 2, 6), "scenes": {"a": runs(8, 1, 40), "b": runs(-80, 6, 7), "c": runs(-80, 6, -80)}}
-    told = {row.what: row.measured for row in instruments.rows_costs(raw)}
-    assert told["a"] == "4 R (0.5, 4, 20); 8 of 9 gates; forward"
-    assert told["b"] == "3.5 R (3, 3.5, not reached); 7 of 9 gates; forward"
-    assert told["c"] == "not reached; 7 of 9 gates; forward"
-    assert told["R"] == "2.00 s of CPU, the median of 3 runs from 1.00 to 6.00 s"
+    stated = {row.what: row.measured for row in instruments.rows_costs(raw)}
+    assert stated["a"] == "4 R (0.5, 4, 20); 8 of 9 gates; forward"
+    assert stated["b"] == "3.5 R (3, 3.5, not reached); 7 of 9 gates; forward"
+    assert stated["c"] == "not reached; 7 of 9 gates; forward"
+    assert stated["R"] == "2.00 s of CPU, the median of 3 runs from 1.00 to 6.00 s"
 
 
 def test_scenes_are_measured_each_after_the_yardstick():
@@ -207,8 +207,8 @@ def test_scenes_are_measured_each_after_the_yardstick():
     assert [row.what for row in instruments.rows_costs(raw)] == ["R", "minimal"]
 
     [row] = instruments.rows_first_runs(instruments.measure_first_runs(runner, ["minimal"]))
-    told = r"\d+\.\d s, by (target|time); \d+ of 15 gates converged, \d+ at the target; flags: .*; (forward|bidirectional)"
-    assert re.fullmatch(told, row.measured)
+    stated = r"\d+\.\d s, by (target|time); \d+ of 15 gates converged, \d+ at the target; flags: .*; (forward|bidirectional)"
+    assert re.fullmatch(stated, row.measured)
 
     known = {"reasons": [], "converged": True, "relative_error": 0.01}
     dark = {"reasons": ["no_score"], "converged": False, "relative_error": 0}
@@ -248,7 +248,7 @@ def test_a_run_goes_on_with_what_is_missing(measure, tmp_path):
     assert path.read_text() == before
 
 
-def test_a_failure_is_kept_and_told_and_others_go_on(measure, tmp_path):
+def test_a_failure_is_kept_and_stated_and_others_go_on(measure, tmp_path):
     # Seen red: with an exit code of 0; with the first failure the end of all.
     broken = tmp_path / "photic"
     real = program.find_program()

@@ -131,7 +131,7 @@ def test_phase_functions_are_flat_in_their_core(library, drawn):
 
 
 # Seen red: with the mark of placeholders misspelt.
-def test_the_caption_tells_what_is_not_verified(drawn, tmp_path):
+def test_the_caption_says_what_is_not_verified(drawn, tmp_path):
     said = drawn._supxlabel.get_text()
     assert "Optical data from memory: raman light, chlorophyll light." in said
     oil = photic.open(made(tmp_path / "oil.nc", "--oil", "light-refined", "--wavelengths", "300:600:10"))

@@ -339,7 +339,7 @@ def test_no_light_at_all(sample):
     plot.figure([ds, ds], ["dark", "darker"], **FEW).draw_without_rendering()
 
 
-def test_same_file_names_are_told_apart(sample, tmp_path):
+def test_same_file_names_are_distinguished(sample, tmp_path):
     from photic.__main__ import _names
 
     assert _names(["a/out.nc", "b/ship.nc"]) == ["out", "ship"]

@@ -247,9 +247,9 @@ def test_views_are_grouped_by_what_else_the_scene_says(sample):
     scene = ""
     for name, keys in telescopes.items():
         scene += f'[[telescope]]\nname = "{name}"\n' + "".join(f"{key} = {value}\n" for key, value in keys.items())
-    told = ds.assign_attrs(scene=scene)
-    assert views.grouped(told, list("abcd")) == [["b", "a", "d"], ["c"]]
-    assert views.grouped(told, list("cda")) == [["c"], ["a", "d"]]
+    described = ds.assign_attrs(scene=scene)
+    assert views.grouped(described, list("abcd")) == [["b", "a", "d"], ["c"]]
+    assert views.grouped(described, list("cda")) == [["c"], ["a", "d"]]
     assert views.grouped(ds, ["narrow", "wide"]) == [["narrow"], ["wide"]]  # its scene says nothing
 
 

@@ -97,7 +97,7 @@ def test_results_without_what_is_asked_for(command, sample, tmp_path):
     assert (code, error) == (2, "wide: has no telescope of those requested; there are: wide\n")
 
 
-def test_letters_that_the_font_lacks_are_told_once(sample, tmp_path):
+def test_letters_that_the_font_lacks_are_named_once(sample, tmp_path):
     # Seen red: with Matplotlib's own warnings, one for each time that a letter is measured.
     call = [sys.executable, "-m", "photic", "plot", sample, "-o", tmp_path / "p.png", "--title", "油油 and 膜"]
     done = subprocess.run([*call, "--channel", "raman"], capture_output=True, text=True, check=True)

@@ -240,7 +240,7 @@ def test_many_channels_have_panels_of_seven(sample, drawn):
 
 
 # Seen red: without the notes of what has no place.
-def test_what_has_no_room_is_told(sample, drawn):
+def test_what_has_no_room_is_stated(sample, drawn):
     said = caption(drawn("64", 84))
     assert "Drawn are 28 of 64 channels: --channel NAME, which may be repeated, chooses others." in said
     ds = with_channels(photic.open(sample), 64)

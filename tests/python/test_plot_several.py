@@ -32,7 +32,7 @@ def right_ends(panel, ds, gate):
 
 
 # Seen red: with the orders of the first result for all; with shades that depend on the result.
-def test_several_results_are_told_apart_by_order(sample):
+def test_several_results_are_distinguished_by_order(sample):
     ds = photic.open(sample)
     fewer = ds.isel(order=slice(0, 4)).copy(deep=True)
     fewer.echo_by_order[:] = 0

@@ -14,7 +14,7 @@ PARTS = {"raman": 0.75, "chlorophyll": 0.25}
 
 
 def with_filters(ds, count=10, shapes=("top-hat",)):
-    """The sample seen through so many filters, each as bright as its wavelength tells."""
+    """The sample seen through so many filters, each as bright as its wavelength."""
     names = [f"f{k}" for k in range(count)] + ["raman"]
     many = ds.isel(channel=[1] * len(names)).assign_coords(channel=names)
     bright = xarray.DataArray([*(centre / 500 for centre in CENTRES[:count]), 1.0], dims="channel")
@@ -77,7 +77,7 @@ def test_filters_are_those_of_the_scene_by_wavelength(filtered):
 # Seen red: with one more for few.
 def test_few_filters_are_no_spectrum(sample):
     ds = photic.open(sample)
-    assert found_in(ds) == []  # its scene tells of no channels
+    assert found_in(ds) == []  # its scene has no channels
     assert found_in(with_filters(ds, 7)) == [] and len(found_in(with_filters(ds, 8))) == 8
 
 
@@ -93,7 +93,7 @@ def test_a_spectrum_is_the_sum_over_gates_for_each_nm(filtered):
         assert one.standard_error[at] == close(error)
 
 
-def test_the_error_of_a_sum_is_not_above_that_which_is_told():
+def test_the_error_of_a_sum_is_not_above_that_which_is_stated():
     """Gates whose errors are correlated by 1, as by few rare photons that all of them see."""
     gates = numpy.array([3.0, 2.0, 1.0]) * numpy.random.default_rng(1).normal(1, 0.1, (1000, 1))
     error = gates.std(axis=0)

@@ -24,9 +24,9 @@ std::string ship(const std::string& layers, const std::string& channels, double 
   return ship_instrument + channels + layers + depth_gates(20, 1) + simulation(photons, 5, more);
 }
 
-// On a broad phase function the plain walk converges too, to where its rare scores widen the errors
-// told. Seen red: with 1 - e left out of the
-// mixture of a direction; with one target too many in the count.
+// On a broad phase function the plain walk converges too, to where its rare scores widen the
+// reported errors. Seen red: with 1 - e left out of the mixture of a direction; with one target too
+// many in the count.
 TEST(Agreement, DirectedSamplingAndPlainWalk) {
   const auto layers = water(0.1, 0.2, broad_phase);
   const auto directed =
@@ -202,9 +202,8 @@ TEST(Agreement, BitsDoNotDependOnThreads) {
 
 // A lidar that looks up from below sees what is mirrored in the surface. Close to the telescope
 // scores have no bound: later gates, and those of plain walks, hold more of that than their errors
-// tell. Seen red: with 1 - e
-// left out of the mixture of a direction; with the density of the first target alone; with one
-// target too many in the count.
+// cover. Seen red: with 1 - e left out of the mixture of a direction; with the density of the first
+// target alone; with one target too many in the count.
 TEST(Agreement, LookingUpDirectedMoreAndLess) {
   const auto rov = [](const std::string& more, std::uint64_t seed, double photons) {
     return read(R"(

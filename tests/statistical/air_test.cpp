@@ -305,7 +305,7 @@ TEST(Air, LightThatTheSeaMirrorsComesWithTheSurfacesGate) {
     }
 }
 
-/// A ship's run in air that is told in so many layers of one kind.
+/// A ship's run in air that is given in so many layers of one kind.
 tally::Result ship_in_air(const std::string& estimator, int layers, double a, double b,
                           int threads = 2) {
   std::string air;

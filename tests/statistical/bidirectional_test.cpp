@@ -372,7 +372,7 @@ TEST(Reception, OfSingleRaysIsExactAndOfTheOverlapIsNot) {
   const auto [rays, rays_error] = second_order("forward", "reception = \"ray\"", 6e6);
   const auto [mean, mean_error] = second_order("forward", "reception = \"overlap\"", 2e6);
   EXPECT_LT(std::abs(rays - exact), 3 * std::hypot(rays_error, exact_error));
-  EXPECT_LT(mean, 0.97 * exact) << "the approximation has become better: tell docs/theory.md";
+  EXPECT_LT(mean, 0.97 * exact) << "the approximation has become better: update docs/theory.md";
   EXPECT_LT(mean_error, 0.005 * exact);
 }
 

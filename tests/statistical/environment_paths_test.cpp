@@ -83,7 +83,7 @@ tally::Result run_with(const Setup& s, const std::string& water, const std::stri
 }
 
 /// Echoes in water with so much more absorption everywhere fade by the length of their path, which
-/// a gate tells. Tells how many gates there are light in.
+/// a gate shows. Returns the number of gates with light.
 std::size_t expect_fading(const tally::Result& result, double more_a, bool submerged) {
   const std::size_t gates = result.gates();
   // In the air light may go a little askew.
@@ -115,7 +115,7 @@ TEST_P(EnvironmentPaths, FadeByTheirLength) {
 }
 
 // Ways from a lens of 1 m that is tilted by 45 degrees become longer or shorter by up to some
-// metres if a walk is translated; gates of 2 cm tell how long they are. Seen red: with ways as long
+// metres if a walk is translated; gates of 2 cm show how long they are. Seen red: with ways as long
 // as before; with the first rays' longer by that once more, which begin at the lens.
 TEST(PathsFromATiltedLens, FadeByTheirLength) {
   const double more_a = 0.3;

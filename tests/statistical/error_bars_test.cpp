@@ -129,7 +129,7 @@ Spread spread(const std::string& path, double count, int runs, const std::string
   return {known / cells, covered / known, std::sqrt(squares / known)};
 }
 
-// Where scores fall off so slowly that their variance is infinite: errors tell what has not been
+// Where scores fall off so slowly that their variance is infinite: errors hold what has not been
 // seen, rather than gates being flagged. Coverages scatter by 0.008 and 0.016 (one sigma, from seed
 // to seed); what is asked for is two and more of these below what 40 and 100 seeds gave.
 TEST(ErrorBars, HoldOfALidarInTheWater) {

@@ -89,7 +89,7 @@ void expect_both_estimators_agree(const BothEstimators& c) {
   };
   const auto forward = run(c.photons, 41, "forward"), walks = run(c.sets, 42, "bidirectional");
   expect_same_light(forward, walks, c.name, 0.05, c.least);
-  // The accounts are the walks', to whom what the film emits is absorbed.
+  // The accounts are the walks', for which light that the film emits is absorbed.
   EXPECT_NEAR(walks.ledger.sum(), 1, 5 * walks.ledger_standard_error + 1e-6) << c.name;
 }
 const std::string slick = "[sea]\nsurface = { model = \"cox-munk\", wind_speed_m_s = 5.0 }\n";

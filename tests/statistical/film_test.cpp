@@ -82,7 +82,7 @@ std::string layer(double bottom_depth_m, double b_per_m) {
 // Process by process and order by order: the film's own light, straight, of light that comes back
 // from below, and by way of the water; Raman and elastic light through the film. Analog photons
 // know nothing of closed forms: they are refracted, reflected, absorbed and emitted one by one.
-// Seen red: with emission from below taken for one from above; without the weight of those who are
+// Seen red: with emission from below taken for one from above; without the weight of those that are
 // not converted; with all that does not pass the film reflected.
 //
 // The water about the lens below does not scatter. If it does, scores of the forward estimator go
@@ -177,10 +177,10 @@ TEST(OilFilm, ShinesOnWavesAsItsFacetsDo) {
   family.judge();
 }
 
-// One run tells films from none: the thickness from the Raman light that they take, by the formula
-// with interfaces. What it leaves out is 6e-4 um here: a film also sends back more of the light
-// that comes from the water.
-TEST(OilFilm, IsAsThickAsTheMissingRamanLightTells) {
+// One run finds films: the thickness from the Raman light that they take, by the formula with
+// interfaces. What it leaves out is 6e-4 um here: a film also sends back more of the light that
+// comes from the water.
+TEST(OilFilm, IsAsThickAsTheMissingRamanLightShows) {
   for (const auto& [um, within] : {std::pair{10.0, 1e-3}, {1.0, 1e-3}, {0.1, 1e-2}}) {
     const auto r =
         run_in_lanes(read(instrument(12, 0, 355) + channel("raman") + film(um) + clear_water +

@@ -99,8 +99,8 @@ TEST(NestedViews, InTheSeaAreEachAsIfAlone) {
                            channel("elastic") + channel("raman"), gates, 30});
 }
 
-// Each strategy has its own way to tell who sees its light. Seen red: with the ray of a walk as it
-// was drawn for that of a free one; with own rays alone where the lens is out of focus.
+// Each strategy finds in its own way which views see its light. Seen red: with the ray of a walk as
+// it was drawn for that of a free one; with own rays alone where the lens is out of focus.
 TEST(NestedViews, OfWalksFromBothSidesAreEachAsIfAlone) {
   const std::string gates = depth_gates(9, 3), both = channel("elastic") + channel("raman");
   const std::string free = "free_telescope_meetings = 0.3\nfree_laser_meetings = 0.5\n";

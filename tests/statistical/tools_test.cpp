@@ -79,7 +79,7 @@ const std::vector<Case> tools_one_by_one{
 // Seen red, each in its case: with the chance of leaving not taken from the weight; with the weight
 // not divided at splitting; with the copies dropped; with collisions scored on the way and where
 // they happen; with further points on the way besides; with such points of flights that are kept in
-// the water by the number of one that is not; with the weight of those who pass an analog test of
+// the water by the number of one that is not; with the weight of those that pass an analog test of
 // absorption left lower.
 TEST(Tools, LeaveEchoesAsTheyAre) {
   const auto plain = run_in_lanes(bright_scene(2e6, 6, plainly));
@@ -144,9 +144,9 @@ TEST(Tools, LeaveEnvironmentsAsTheyAre) {
   family.judge();
 }
 
-// Ending histories does not: echoes are low, the more the deeper, and what is cut is told. Seen
+// Ending histories does not: echoes are low, the more the deeper, and what is cut is reported. Seen
 // red: with what is cut not booked.
-TEST(Tools, EndingHistoriesTellsWhatItCuts) {
+TEST(Tools, EndingHistoriesReportsWhatItCuts) {
   const auto plain = run_in_lanes(quiet_scene(2e6, 6, ""));
   const auto ended =
       run_in_lanes(quiet_scene(2e6, 5, with("weight_threshold = 0.6\nat_threshold = \"end\"")));

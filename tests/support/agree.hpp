@@ -14,7 +14,7 @@ namespace photic::test {
 
 /// Adds the gates of both results that have errors below 5 % to a family, against each other.
 /// Plain walks are seldom flagged as converged, and their rare large scores widen the errors as
-/// well: only z-scores can be judged, not their spread. Tells how many there are.
+/// well: only z-scores can be judged, not their spread. Returns their number.
 inline std::size_t add_settled(ZFamily& family, const tally::Result& a, const tally::Result& b,
                                const std::string& what = "") {
   constexpr double small_error = 0.05;

@@ -68,7 +68,7 @@ inline std::string simulation(double photons, std::uint64_t seed, const std::str
                      estimator, photons, seed, more);
 }
 
-/// Of a bidirectional run without the pilot runs that else tell how many free walks it has.
+/// Of a bidirectional run without the pilot runs that else choose how many free walks it has.
 inline const std::string no_free_walks = "free_telescope_meetings = 0.0\nfree_laser_meetings = 0.0";
 
 /// Of much, little and very much chlorophyll, down to a sea bed at 15 m.

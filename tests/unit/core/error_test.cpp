@@ -16,7 +16,7 @@ TEST(Diagnostic, SaysPlaceReasonAndSuggestion) {
             "no data at 200 nm (choose another set)");
 }
 
-TEST(InputError, TellsAllDiagnosticsLineByLine) {
+TEST(InputError, ListsAllDiagnosticsLineByLine) {
   const InputError error({{"a", 1, 2, "first", ""}, {"b", 3, 4, "second", "third"}});
   EXPECT_STREQ(error.what(), "a:1:2: first\nb:3:4: second (third)");
   EXPECT_EQ(error.diagnostics().size(), 2U);

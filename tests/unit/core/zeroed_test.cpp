@@ -34,7 +34,7 @@ TEST(ZeroedVector, HoldsWhatAVectorHolds) {
   EXPECT_EQ(copy, zeroed);
 }
 
-// Seen red: with zeros told from numbers by ==.
+// Seen red: with zeros found by ==.
 TEST(ZeroedVector, KeepsTheSignOfZeroAndNaN) {
   ZeroedVector<double> v;
   v.push_back(-0.0);

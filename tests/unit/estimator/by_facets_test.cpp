@@ -29,7 +29,7 @@ WavesView steep_waves(double whitecaps) {
 constexpr surface::Whitecaps<double> none{};
 constexpr surface::Whitecaps<double> some{0.2, 0.22, 1 - 0.78 / (1.34 * 1.34)};
 
-constexpr auto not_told = [](bool, const surface::Meeting<double>&) {};
+constexpr auto ignored = [](bool, const surface::Meeting<double>&) {};
 
 /// Mean over walks, and its error.
 struct Mean {
@@ -48,10 +48,10 @@ double slanted(const Vec3<double>& in, const Vec3<double>& out) {
 }
 
 enum class By { light, back };
-enum class Told { weight, chance, chance_inverse, one };
+enum class Scored { weight, chance, chance_inverse, one };
 
 /// Of walks by so many facets, one or several, that begin in directions from Lambert's law.
-Mean mean_of(By by, const RoughSurface<double>& surface, bool several, Told told, int walks,
+Mean mean_of(By by, const RoughSurface<double>& surface, bool several, Scored scored, int walks,
              Facets which = Facets::any) {
   const RandomKey key{(by == By::light ? 7U : 8U) + (which == Facets::any ? 0U : 10U)};
   Mean mean;
@@ -62,18 +62,18 @@ Mean mean_of(By by, const RoughSurface<double>& surface, bool several, Told told
     transport::Photon<double> photon;
     const Vec3<double> begun = photon.direction = {s * std::cos(a), s * std::sin(a), c};
     const auto met = by == By::light
-                         ? light_by_facets(surface, photon, true, false, which, draw, not_told)
-                         : back_by_facets(surface, photon, true, false, which, draw, not_told);
+                         ? light_by_facets(surface, photon, true, false, which, draw, ignored)
+                         : back_by_facets(surface, photon, true, false, which, draw, ignored);
     if (!met.in_water || met.several != several) {
       mean.add(0);
       continue;
     }
     const double g =
         by == By::light ? slanted(begun, photon.direction) : slanted(-photon.direction, -begun);
-    const double bounded = told == Told::weight   ? photon.weight
-                           : told == Told::one    ? 1
-                           : told == Told::chance ? met.chance
-                                                  : 1 / met.chance;
+    const double bounded = scored == Scored::weight   ? photon.weight
+                           : scored == Scored::one    ? 1
+                           : scored == Scored::chance ? met.chance
+                                                      : 1 / met.chance;
     mean.add(g * bounded);
   }
   return mean;
@@ -87,15 +87,15 @@ void expect_same(const Mean& a, const Mean& b, double within, const char* what) 
 
 constexpr int walks = 400000;
 
-// What light goes from all directions to all: light's own walks and those backwards tell the same,
+// What light goes from all directions to all: light's own walks and those backwards give the same,
 // by one facet and by several, with whitecaps and without. 12 comparisons of 4 errors.
 TEST(ByFacets, WalksBackwardsCarryWhatLightDoes) {
   for (const auto& white : {none, some}) {
     const WavesView waves = steep_waves(white.fraction);
     const RoughSurface<double> surface{waves, 1.34, white};
     for (const bool several : {false, true})  // seen red: without 1 / (1 + Smith's function)
-      expect_same(mean_of(By::light, surface, several, Told::weight, walks),
-                  mean_of(By::back, surface, several, Told::weight, walks), 0.05,
+      expect_same(mean_of(By::light, surface, several, Scored::weight, walks),
+                  mean_of(By::back, surface, several, Scored::weight, walks), 0.05,
                   several ? "several facets" : "one facet");
   }
 }
@@ -105,16 +105,16 @@ TEST(ByFacets, WalksThatReturnCarryWhatOthersDo) {
   for (const auto& white : {none, some}) {
     const WavesView waves = steep_waves(white.fraction);
     const RoughSurface<double> surface{waves, 1.34, white};
-    const auto mean = [&](By by, bool several, Told told, Facets which) {
-      return mean_of(by, surface, several, told, walks, which);
+    const auto mean = [&](By by, bool several, Scored scored, Facets which) {
+      return mean_of(by, surface, several, scored, walks, which);
     };
     for (const By by : {By::light, By::back}) {
       for (const bool several : {false, true})
-        expect_same(mean(by, several, Told::weight, Facets::any),
-                    mean(by, several, Told::weight, Facets::that_return), 0.08,
+        expect_same(mean(by, several, Scored::weight, Facets::any),
+                    mean(by, several, Scored::weight, Facets::that_return), 0.08,
                     several ? "several facets" : "one facet");
-      EXPECT_GT(mean(by, false, Told::one, Facets::that_return).value(),
-                1.5 * mean(by, false, Told::one, Facets::any).value());
+      EXPECT_GT(mean(by, false, Scored::one, Facets::that_return).value(),
+                1.5 * mean(by, false, Scored::one, Facets::any).value());
     }
   }
 }
@@ -124,11 +124,11 @@ TEST(ByFacets, KnowHowLikelyTheOtherWalkIs) {
     const WavesView waves = steep_waves(white.fraction);
     const RoughSurface<double> surface{waves, 1.34, white};
     for (const bool several : {false, true}) {
-      expect_same(mean_of(By::light, surface, several, Told::chance, walks),
-                  mean_of(By::back, surface, several, Told::one, walks), 0.1,
+      expect_same(mean_of(By::light, surface, several, Scored::chance, walks),
+                  mean_of(By::back, surface, several, Scored::one, walks), 0.1,
                   several ? "light, several" : "light, one");
-      expect_same(mean_of(By::back, surface, several, Told::chance_inverse, walks),
-                  mean_of(By::light, surface, several, Told::one, walks), 0.1,
+      expect_same(mean_of(By::back, surface, several, Scored::chance_inverse, walks),
+                  mean_of(By::light, surface, several, Scored::one, walks), 0.1,
                   several ? "back, several" : "back, one");
     }
   }
@@ -143,9 +143,9 @@ Mean mean_from_air(By by, const RoughSurface<double>& surface, bool several, boo
     transport::Photon<double> photon;
     photon.direction = {0.8, 0.1, -std::sqrt(1 - 0.65)};
     const auto met = by == By::light
-                         ? light_by_facets(surface, photon, true, true, Facets::any, draw, not_told)
+                         ? light_by_facets(surface, photon, true, true, Facets::any, draw, ignored)
                          : back_by_facets(surface, photon, true, true,
-                                          must ? Facets::several : Facets::any, draw, not_told);
+                                          must ? Facets::several : Facets::any, draw, ignored);
     const bool counts = met.in_water && met.several == several;
     mean.add(counts ? photon.weight * (1 + photon.direction.x) : 0);
   }

@@ -212,9 +212,10 @@ TEST(Depart, ScattersTheLasersLightAsDenseAsItSays) {
   test::expect_chi_squared(count, probability, samples, 0.001, "scattered light");
 }
 
-// A walk from the laser draws from the phase function alone, and tells how a telescope's walk would
-// find the way that it came. Seen red: with the direction in which it leaves; with the lobe drawn.
-TEST(Depart, FromTheLaserTellsHowWalksPassIt) {
+// A walk from the laser draws from the phase function alone, and returns how a telescope's walk
+// would find the way that it came. Seen red: with the direction in which it leaves; with the lobe
+// drawn.
+TEST(Depart, FromTheLaserReturnsHowWalksPassIt) {
   Random random(405);
   const auto sea = make_sea(40);
   const auto back = scattering_reversal();

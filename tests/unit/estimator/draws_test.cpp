@@ -85,7 +85,7 @@ TEST(Draws, OfOneEventTogetherAreThoseOfEach) {
 }
 
 // Where flags look at the tail of scores, and that has an end (decision 26).
-TEST(Draws, OfTheForwardEstimatorAreSpreadWhereFlagsCanTell) {
+TEST(Draws, OfTheForwardEstimatorAreSpreadWhereFlagsSuffice) {
   using namespace test;
   const auto spreads = [](const std::string& instrument, const std::string& estimator,
                           bool with_environment) {

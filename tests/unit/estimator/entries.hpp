@@ -127,7 +127,7 @@ inline WayByEntry way_of_laser(const World<double>& world, const Path& path) {
   return way;
 }
 
-/// What leaves the water at an entry for a point of the lens is told as the local estimate does it
+/// What leaves the water at an entry for a point of the lens is reported as by the local estimate
 /// (theory.md, eq. 89).
 inline WayByEntry way_of_telescope(const World<double>& world, const Path& path) {
   const auto& telescope = world.telescopes[0];

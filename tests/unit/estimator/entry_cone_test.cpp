@@ -17,8 +17,8 @@ namespace {
 /// Of equally spaced uniforms, as many as are drawn in a cone.
 constexpr int draws = 100000;
 
-// Each cone gets its share, and what the wider ones lay into it: evenly, so as much as the density
-// tells. Seen red: with the shares of two cones changed for each other; with the solid angle of the
+// Each cone gets its share, and what the wider ones lay into it: evenly, as much as the density
+// says. Seen red: with the shares of two cones changed for each other; with the solid angle of the
 // ring beyond.
 TEST(EntryCone, GivesNarrowerConesTheirShares) {
   const auto sea = transport::make_sea(40);

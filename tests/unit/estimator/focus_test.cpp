@@ -27,7 +27,7 @@ Texts remarks_on(const std::string& text) {
   return scene::read_scene_text(text, "scene.toml", "/", {}, optics_check()).remarks;
 }
 
-Texts told_of(const std::string& text) { return focus_told(make_model(scene::read_text(text))); }
+Texts focus_of(const std::string& text) { return reported_focus(make_model(scene::read_text(text))); }
 
 /// 12 m above the sea, with a lens of 0.4 m and f = 2 m.
 const std::string above =
@@ -90,23 +90,23 @@ TEST(Focus, DoesNotAdviseWhatCannotBe) {
 // 36.94 m. Seen red: with the depth itself; without the obstruction; with the edge of the gate.
 TEST(Focus, IsShownOfTheSurfaceAndTheLastGate) {
   const std::string short_gates = "depth_min_m = -1\ndepth_max_m = 5\ndepth_step_m = 2";
-  EXPECT_EQ(told_of(seen_by(above + view, short_gates)),
+  EXPECT_EQ(focus_of(seen_by(above + view, short_gates)),
             Texts{"t, focused at infinity: 0.36 from the sea's surface, 0.56 from the last gate "
                   "(depth 4 m)"});
   EXPECT_EQ(
-      told_of(seen_by(above + view)),
+      focus_of(seen_by(above + view)),
       Texts{"t, focused at infinity: 0.36 from the sea's surface, 1 from the last gate (depth "
             "49.5 m)"});
   // (0.12^2 - 0.05^2) / (0.2^2 - 0.05^2)
-  EXPECT_EQ(told_of(seen_by(above + view + "obstruction_diameter_m = 0.1", short_gates)),
+  EXPECT_EQ(focus_of(seen_by(above + view + "obstruction_diameter_m = 0.1", short_gates)),
             Texts{"t, focused at infinity: 0.32 from the sea's surface, 0.53 from the last gate "
                   "(depth 4 m)"});
   // r_d / |2.4 (1 / 2 - 1 / 48.94) - 1| = 0.133 m
-  EXPECT_EQ(told_of(seen_by(above + view + "focus_m = 12")),
+  EXPECT_EQ(focus_of(seen_by(above + view + "focus_m = 12")),
             Texts{"t, focused at 12 m: 1 from the sea's surface, 0.44 from the last gate (depth "
                   "49.5 m)"});
   EXPECT_EQ(
-      told_of(seen_by(above + view + "detector_shift_m = -0.1")),
+      focus_of(seen_by(above + view + "detector_shift_m = -0.1")),
       Texts{"t, focused nowhere, with its detector before the focal plane: 0.23 from the sea's "
             "surface, 1 from the last gate (depth 49.5 m)"});
 }
@@ -121,17 +121,18 @@ TEST(Focus, IsShownAlongTheAxis) {
       "0.8\nfocal_length_m = 2\n" +
       view;
   const std::string head = "t, focused at infinity: 0.2 from the sea's surface, ";
-  EXPECT_EQ(told_of(seen_by(slanted, "depth_max_m = 8\ndepth_step_m = 8")),
+  EXPECT_EQ(focus_of(seen_by(slanted, "depth_max_m = 8\ndepth_step_m = 8")),
             Texts{head + "0.3 from the last gate (depth 4 m)"});
-  EXPECT_EQ(told_of(seen_by(slanted, "range_min_m = 0\nrange_max_m = 38\nrange_step_m = 38")),
+  EXPECT_EQ(focus_of(seen_by(slanted, "range_min_m = 0\nrange_max_m = 38\nrange_step_m = 38")),
             Texts{head + "0.22 from the last gate (range 19 m)"});
   const std::string air =
       "\n[atmosphere]\nlayer = [{ bottom_height_m = 0, top_height_m = 9, iop = [{ wavelength_nm = "
       "532, a_per_m = 0, b_per_m = 0.1 }] }]\n";
-  EXPECT_EQ(told_of(seen_by(slanted, "range_min_m = 8\nrange_max_m = 10\nrange_step_m = 2" + air)),
+  EXPECT_EQ(focus_of(seen_by(slanted, "range_min_m = 8\nrange_max_m = 10\nrange_step_m = 2" + air)),
             Texts{head + "0.051 from the last gate (range 9 m)"});
-  EXPECT_EQ(told_of(seen_by(slanted, "depth_min_m = -5\ndepth_max_m = -4\ndepth_step_m = 1" + air)),
-            Texts{head + "0.051 from the last gate (depth -4.5 m)"});
+  EXPECT_EQ(
+      focus_of(seen_by(slanted, "depth_min_m = -5\ndepth_max_m = -4\ndepth_step_m = 1" + air)),
+      Texts{head + "0.051 from the last gate (depth -4.5 m)"});
 }
 
 // A telescope in the water sees what is in it as it is; there the nearest gate ahead stands for the
@@ -140,22 +141,22 @@ TEST(Focus, IsShownAlongTheAxis) {
 TEST(Focus, IsShownOfTheNearestGateInTheWater) {
   const std::string lens = "diameter_m = 0.2\nfocal_length_m = 1\ndetector_diameter_m = 0.02\n";
   const std::string at_1_m = "position_m = [0, 0, -1]\ndirection = [0, 0, -1]";
-  const auto told_of_second = [&](const std::string& direction) {
+  const auto focus_of_second = [&](const std::string& direction) {
     const std::string second = "[[telescope]]\nposition_m = [0, 0, -3]\n" + direction + lens;
-    return told_of(edited({{4, 5, at_1_m},
-                           {10, 11, at_1_m},
-                           {15, 15, second + "[[channel]]"},
-                           {27, 28, "depth_min_m = 1\ndepth_max_m = 9\ndepth_step_m = 1"}}))
+    return focus_of(edited({{4, 5, at_1_m},
+                            {10, 11, at_1_m},
+                            {15, 15, second + "[[channel]]"},
+                            {27, 28, "depth_min_m = 1\ndepth_max_m = 9\ndepth_step_m = 1"}}))
         .back();
   };
   const std::string down = "direction = [0, 0, -1]\n", up = "direction = [0, 0, 1]\n";
-  EXPECT_EQ(told_of_second(down),
+  EXPECT_EQ(focus_of_second(down),
             "telescope1, focused at infinity: 0.0025 from the first gate ahead (depth 3.5 m), 0.42 "
             "from the last gate (depth 9.5 m)");
-  EXPECT_EQ(told_of_second(up), "telescope1, focused at infinity: no gate lies on its axis");
+  EXPECT_EQ(focus_of_second(up), "telescope1, focused at infinity: no gate lies on its axis");
   EXPECT_EQ(
-      told_of(seen_by("position_m = [0, 0, -3]\n" + up + lens,
-                      "range_min_m = 0\nrange_max_m = 9\nrange_step_m = 1")),
+      focus_of(seen_by("position_m = [0, 0, -3]\n" + up + lens,
+                       "range_min_m = 0\nrange_max_m = 9\nrange_step_m = 1")),
       Texts{"t, focused at infinity: 0.0025 from the first gate ahead (range 0.5 m), 0.72 from "
             "the last gate (range 8.5 m)"});
 }

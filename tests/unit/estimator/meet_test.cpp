@@ -233,12 +233,12 @@ TEST(EquidistantDepths, AreWhereBothRaysAreAsFarFromTheAxis) {
                   (c.exists[1] && c.depth[1] > upper - 1e-9 && c.depth[1] < lower + 1e-9))
           << n << " " << upper;
     }
-    const int told = c.exists[0] + c.exists[1];
+    const int counted = c.exists[0] + c.exists[1];
     // Two crossings may hide in one step.
-    if (unsure == 0 && (told != 2 || found != 0)) {
-      ASSERT_EQ(told, found) << n;
+    if (unsure == 0 && (counted != 2 || found != 0)) {
+      ASSERT_EQ(counted, found) << n;
     }
-    (told == 0 ? none : told == 1 ? crossed : twice) += 1;
+    (counted == 0 ? none : counted == 1 ? crossed : twice) += 1;
     for (std::size_t i = 0; i < 2; ++i) {
       if (!c.exists[i]) continue;
       EXPECT_LT(path_to(pair, c.depth[i]), last_path) << n;

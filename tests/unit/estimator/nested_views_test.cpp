@@ -47,14 +47,14 @@ TEST(NestedViews, AreOfOneLens) {
 }
 
 // Seen red: with directions as they are given.
-TEST(NestedViews, MayTellTheirDirectionByVectorsOfAnyLength) {
+TEST(NestedViews, MayGiveTheirDirectionByVectorsOfAnyLength) {
   scene::Scene scene = four_telescopes();
   scene.telescope[2].direction = 4.0 * scene.telescope[2].direction;
   EXPECT_EQ(nested_views(scene), (Groups{{0}, {2, 3, 1}}));
 }
 
 // Seen red: with focus and shift as they are given.
-TEST(NestedViews, MayTellTheirFocusOrTheirShift) {
+TEST(NestedViews, MayGiveTheirFocusOrTheirShift) {
   scene::Scene scene = four_telescopes();
   for (const std::size_t t : {1, 2, 3}) scene.telescope[t].detector_shift_m = 0.4;
   scene.telescope[2].detector_shift_m = 0;
@@ -85,17 +85,17 @@ TEST(NestedViews, ShareSingleRaysAlone) {
   }
   scene.simulation.estimator = analog;
   EXPECT_EQ(nested_views(scene), alone);
-  EXPECT_TRUE(nested_views_told(scene).empty());
+  EXPECT_TRUE(reported_nested_views(scene).empty());
 }
 
-// What the tallies are told of them. Seen red: with each telescope's next narrower one.
+// What the tallies get of them. Seen red: with each telescope's next narrower one.
 TEST(NestedViews, AreInTheShapeOfTheTallies) {
   const auto wider = make_model(four_telescopes()).shape.wider;
   EXPECT_EQ(wider, (decltype(wider){std::nullopt, std::nullopt, 3, 1}));
 }
 
-TEST(NestedViews, AreToldFromTheNarrowestOn) {
-  EXPECT_EQ(nested_views_told(four_telescopes()),
+TEST(NestedViews, AreListedFromTheNarrowestOn) {
+  EXPECT_EQ(reported_nested_views(four_telescopes()),
             std::vector<std::string>{"telescopes narrow, middle and wide have views inside each "
                                      "other: what is drawn for one serves all"});
 }

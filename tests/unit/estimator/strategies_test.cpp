@@ -107,16 +107,16 @@ TEST(Strategies, FreeNoWalksWhereMeansWithoutEndWouldBeNeeded) {
 }
 
 // Seen red: with the reasons left out.
-TEST(Strategies, AreToldLineByLine) {
+TEST(Strategies, AreListedLineByLine) {
   const Model model = model_of(ship(tilted) + elastic + raman + water);
-  const auto told = reported_strategies(model.scene, model.medium);
-  ASSERT_EQ(told.size(), 7U);
-  EXPECT_EQ(told[1], "walks from both sides connected: yes: a share of 0.3");
-  EXPECT_EQ(told[3],
+  const auto listed = reported_strategies(model.scene, model.medium);
+  ASSERT_EQ(listed.size(), 7U);
+  EXPECT_EQ(listed[1], "walks from both sides connected: yes: a share of 0.3");
+  EXPECT_EQ(listed[3],
             "walks from telescopes rotated about a vertical so that rays meet: no: light is "
             "converted, and looked for about a beam that is not vertical");
-  EXPECT_EQ(told[5], "free walks of telescopes: yes: as pilot runs found");
-  EXPECT_EQ(describe(model).strategies, told);
+  EXPECT_EQ(listed[5], "free walks of telescopes: yes: as pilot runs found");
+  EXPECT_EQ(describe(model).strategies, listed);
   scene::Scene chosen = model.scene;
   chosen.simulation.free_telescope_meetings = 0.25;
   chosen.simulation.free_laser_meetings = 0;

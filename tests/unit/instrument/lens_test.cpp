@@ -189,7 +189,7 @@ TEST(ShareThatSees, IsThatOfTheOpenLens) {
       continue;
     }
     const double share = share_of_lens(t, tangent);
-    // What is seen by a point or two is told as more than nothing.
+    // What is seen by a point or two counts as more than nothing.
     ASSERT_NEAR(share_that_sees(t, arriving), std::max(share, 1e-6), 1e-9) << n;
     ASSERT_EQ(share_that_sees(t, -arriving), share_that_sees(t, arriving)) << "either way";
     if (share < 0.02 || share > 0.98) continue;  // too few rays of one kind for a normal variate

@@ -86,7 +86,7 @@ TEST(NetcdfVariable, IsUnpacked) {
   EXPECT_TRUE(std::isnan(pres[2]));
 }
 
-/// Of values a variable has as its attributes tell, in the first row.
+/// Of values a variable has by its attributes, in the first row.
 std::vector<double> row_of(const std::function<void(FloatFile&, int)>& attributes, nc_type type,
                            const std::vector<double>& stored) {
   const TemporaryFolder folder;
@@ -180,7 +180,7 @@ TEST(NetcdfVariable, AttributesOfNoUse) {
             "CHLA: its attribute positive is not a word (is it the file you mean?)");
 }
 
-TEST(NetcdfVariable, TellsWhatItIsAndWhereItPoints) {
+TEST(NetcdfVariable, ShowsWhatItIsAndWhereItPoints) {
   const TemporaryFolder folder;
   const std::string path = folder.file("depth.nc");
   {

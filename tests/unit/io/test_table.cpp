@@ -102,7 +102,7 @@ TEST(EchoTable, DepthsJustAboveTheSurface) {
   EXPECT_TRUE(has_line(table, "        0.00   1.000e-08   1.5 %"));
 }
 
-// A telescope that looks up has no depths: its gates are told by time.
+// A telescope that looks up has no depths: its gates are listed by time.
 TEST(EchoTable, DepthsThatAreNone) {
   tally::Result result = small_result();
   result.gate_depth_edge_m.assign(6, std::numeric_limits<double>::quiet_NaN());
@@ -235,7 +235,7 @@ tally::Result small_result_to(const std::vector<std::string>& parameters) {
   return result;
 }
 
-// Seen red, each for itself: with the scene's flags; with large negative numbers told as large.
+// Seen red, each for itself: with the scene's flags; with large negative numbers taken as large.
 TEST(EchoTable, Sensitivities) {
   const std::string table = echo_table(small_result_to({"sea.layer.0.chlorophyll_mg_m3", "sea.x"}));
   const std::size_t begin = table.find("\nSensitivities"), end = table.find("\nconverged: ");

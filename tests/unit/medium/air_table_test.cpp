@@ -7,7 +7,7 @@
 namespace photic::medium {
 namespace {
 
-// What air_at() tells, at its places. Seen red: with wavelengths and layers changed over.
+// The values of air_at(), at its places. Seen red: with wavelengths and layers changed over.
 TEST(AirTable, HoldsTheLayersAtTheirPlaces) {
   const optics::AirLibrary library(optics::find_data_folder());
   const optics::AirProfile profile = optics::with_aerosols(

@@ -72,7 +72,7 @@ TEST(Air, OfMoleculesHasTheirOpticalDepth) {
 }
 
 // Koschmieder 1924: 3.912 / V at 550 nm at the sea. In thick air the extinction is even up to 1 km;
-// else it is exponential, and two layers tell of their lower end. LOWTRAN's tables obey it within
+// else it is exponential, and two layers belong to their lower end. LOWTRAN's tables obey it within
 // 0.4 %. Seen red: with the visibility of 23 km for all.
 TEST(Air, HasTheExtinctionOfItsVisibilityAtTheSea) {
   for (const double visibility_km : {5.0, 12.0, 23.0, 50.0}) {
@@ -164,14 +164,14 @@ TEST(Air, OfAnOpticalDepthIsThatOfItsVisibility) {
 }
 
 // What photic show says. Seen red: with four digits.
-TEST(Air, TellsItsAerosolsAt550Nm) {
+TEST(Air, ReportsItsAerosolsAt550Nm) {
   scene::Scene scene = test::ship_scene();
   scene.atmosphere = clear_air();
   scene.atmosphere->aerosol = "maritime";
   scene.atmosphere->aerosol_optical_depth_550 = 0.1234567;
   const auto air = build_air(scene, {Line{.wavelength_nm = 532}}).value();
-  const auto told = air_told(scene, air);
-  EXPECT_EQ(std::ranges::count(told, "optical depth of the aerosols at 550 nm: 0.1234567"), 1);
+  const auto reported = reported_air(scene, air);
+  EXPECT_EQ(std::ranges::count(reported, "optical depth of the aerosols at 550 nm: 0.1234567"), 1);
 }
 
 /// Levels at each km up to 20 km, in dry air.

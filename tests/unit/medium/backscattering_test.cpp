@@ -1,4 +1,4 @@
-// Layers whose phase function is told by their backscattering coefficient.
+// Layers whose phase function is set by their backscattering coefficient.
 #include "medium/layer_optics.hpp"
 #include "unit/medium/scenes.hpp"
 
@@ -38,11 +38,11 @@ TEST(Backscattering, IsThatOfThePhaseFunction) {
 TEST(Backscattering, IsNamedAmongTheSources) {
   const auto m = medium_of(
       scene_of({backscattering_layer(0.004, 0.004)}, {test::channel_of(Process::elastic)}));
-  const std::string told =
+  const std::string source =
       "given in the scene; b_b/b = 0.02381, too: phase function Fournier-Forand with that b_b/b, "
       "Mobley, Sundman & Boss 2002 [verified]";
   EXPECT_TRUE(
-      std::ranges::any_of(m.sources, [&](const auto& s) { return s.source.ends_with(told); }));
+      std::ranges::any_of(m.sources, [&](const auto& s) { return s.source.ends_with(source); }));
 }
 
 TEST(Backscattering, OfNoScatteringIsNothing) {
@@ -51,7 +51,7 @@ TEST(Backscattering, OfNoScatteringIsNothing) {
   EXPECT_EQ(medium_of(scene_of({layer}, {test::channel_of(Process::elastic)})).albedo[0], 0);
 }
 
-// Seen red: with tables of environments told apart by the name of their phase function alone.
+// Seen red: with tables of environments distinguished by the name of their phase function alone.
 TEST(Backscattering, OfAnEnvironmentIsItsOwn) {
   auto scene = scene_of({backscattering_layer(0.002, 0.002)}, {test::channel_of(Process::elastic)});
   const auto other =

@@ -28,7 +28,7 @@ constexpr const char* to_600 = "{ wavelength_nm = [500, 600], albedo = [0.1, 0.2
 constexpr const char* from_600 = "{ wavelength_nm = [600, 700], albedo = [0.1, 0.2] }";
 
 // Seen red, each for itself: with the laser's light not looked at; with the channels' not; with
-// one light told alone.
+// one light reported alone.
 TEST(BedOfAScene, MustBeKnownWhereLightIs) {
   EXPECT_EQ(problems(over_bed(to_600)), Texts{});
   EXPECT_EQ(problems(with_raman(over_bed("{ zenith_deg = [0, 90], albedo = [0.1, 0.2] }"))),
@@ -47,9 +47,9 @@ TEST(BedOfAScene, MustBeKnownWhereLightIs) {
 }
 
 // Seen red, each for itself: with a scene without a bed not looked at; with the laser's light
-// alone; with angles not looked at; with all told at `set`.
+// alone; with angles not looked at; with all reported at `set`.
 TEST(BedOfAScene, MustReflectWhatAnEnvironmentReflects) {
-  const auto told = [](double nm, double deg) {
+  const auto reported = [](double nm, double deg) {
     return fmt::format(
         "in environment \"environment0\": the sea bed reflects light of {} nm and a zenith angle "
         "of "
@@ -59,32 +59,34 @@ TEST(BedOfAScene, MustReflectWhatAnEnvironmentReflects) {
   };
   EXPECT_EQ(problems(over_bed("0.1", other_bed("0"))), Texts{});
   EXPECT_EQ(problems(over_bed("0", other_bed("0"))), Texts{});
-  EXPECT_EQ(problems(over_bed("0", other_bed("0.1"))), Texts{"scene.toml:27:9: " + told(532, 0)});
+  EXPECT_EQ(problems(over_bed("0", other_bed("0.1"))),
+            Texts{"scene.toml:27:9: " + reported(532, 0)});
   EXPECT_EQ(problems({{22, 25, "chlorophyll_mg_m3 = 0" + other_bed("0.1")}}),
-            Texts{"scene.toml:24:9: " + told(532, 0)});
+            Texts{"scene.toml:24:9: " + reported(532, 0)});
   const auto dark_above_600 =
       over_bed("{ wavelength_nm = [500, 600, 700], albedo = [0.1, 0, 0] }", other_bed("0.1"));
   EXPECT_EQ(problems(dark_above_600), Texts{});
-  EXPECT_EQ(problems(with_raman(dark_above_600)), Texts{"scene.toml:27:9: " + told(648.793, 0)});
+  EXPECT_EQ(problems(with_raman(dark_above_600)),
+            Texts{"scene.toml:27:9: " + reported(648.793, 0)});
   EXPECT_EQ(problems(over_bed("{ zenith_deg = [0, 60, 90], albedo = [0.1, 0, 0] }",
                               other_bed("{ zenith_deg = [0, 90], albedo = [0, 0.1] }"))),
-            Texts{"scene.toml:27:9: " + told(532, 90)});
+            Texts{"scene.toml:27:9: " + reported(532, 90)});
   EXPECT_EQ(problems(over_bed("0", "\n[environment_grid]\n\"bottom.albedo\" = [0, 0.1]")).size(),
             1U);
   EXPECT_EQ(problems(over_bed("0", "\n[[environment]]\nset = {}"),
                      {"environment.0.set.bottom.albedo=0.1"}),
-            Texts{"--set environment.0.set.bottom.albedo: " + told(532, 0)});
+            Texts{"--set environment.0.set.bottom.albedo: " + reported(532, 0)});
 }
 
 // Seen red: without it.
 TEST(BedOfAScene, IsASourceOfTheMedium) {
-  const auto told = [](const std::string& albedo) {
+  const auto reported = [](const std::string& albedo) {
     for (const Source& source : medium_of(scene::read_text(edited(over_bed(albedo)))).sources)
       if (source.quantity == "albedo of the sea bed") return source_line(source);
     return std::string("nothing");
   };
-  EXPECT_EQ(told("0.1"), "albedo of the sea bed, 532 nm: 0.1, given");
-  EXPECT_EQ(told(to_600), "albedo of the sea bed, 532 nm: 0.1 to 0.2, given");
+  EXPECT_EQ(reported("0.1"), "albedo of the sea bed, 532 nm: 0.1, given");
+  EXPECT_EQ(reported(to_600), "albedo of the sea bed, 532 nm: 0.1 to 0.2, given");
 }
 
 }  // namespace

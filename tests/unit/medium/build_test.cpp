@@ -129,17 +129,17 @@ TEST(BuildMedium, EndsAtTheBedOfTheLastLayer) {
   EXPECT_EQ(medium_of(scene_of({layer}, all_channels)).top, (std::vector<double>{0, 30}));
 }
 
-TEST(BuildMedium, TellsWhereItsNumbersComeFrom) {
+TEST(BuildMedium, ListsWhereItsNumbersComeFrom) {
   const auto m = medium_of(scene_of({iop_layer()}, all_channels));
-  const auto tells = [&](const std::string& what) {
+  const auto lists = [&](const std::string& what) {
     return std::any_of(m.sources.begin(), m.sources.end(), [&](const Source& s) {
       return source_line(s).find(what) != std::string::npos;
     });
   };
-  EXPECT_TRUE(tells("given in the scene"));
-  EXPECT_TRUE(tells("raman light, 6"));
-  EXPECT_TRUE(tells("chlorophyll light, 685 nm: "));
-  EXPECT_TRUE(tells("Bartlett"));
+  EXPECT_TRUE(lists("given in the scene"));
+  EXPECT_TRUE(lists("raman light, 6"));
+  EXPECT_TRUE(lists("chlorophyll light, 685 nm: "));
+  EXPECT_TRUE(lists("Bartlett"));
 }
 
 }  // namespace

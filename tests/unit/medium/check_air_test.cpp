@@ -87,7 +87,7 @@ TEST(CheckOfAir, EveryTextWithLineAndColumn) {
 }
 
 // Of a file the line and column of it.
-TEST(CheckOfAir, OfAFileTellsItsLine) {
+TEST(CheckOfAir, OfAFileNamesItsLine) {
   const std::string path = ::testing::TempDir() + "photic-bad-air.csv";
   std::ofstream(path) << "z_km,p_hpa,t_k\n0,1000,290\n9,300,3\n";
   EXPECT_EQ(of_section("[atmosphere]\nprofile = \"" + path + "\"\ntop_km = 9"),
@@ -96,14 +96,14 @@ TEST(CheckOfAir, OfAFileTellsItsLine) {
 
 // Of the profile as it is given. Seen red: without the doubts.
 TEST(CheckOfAir, RemarksOnUnitsOfItsProfile) {
-  const auto told = [](const std::string& section) {
+  const auto reported = [](const std::string& section) {
     return remarks({{25, 25, scene::base_lines()[24] + "\n" + section}});
   };
-  EXPECT_EQ(told(us_standard), Texts{});
-  EXPECT_EQ(told(levels("[0, 9]", ", relative_humidity_percent = [0.8, 0.3]") + "top_km = 9"),
+  EXPECT_EQ(reported(us_standard), Texts{});
+  EXPECT_EQ(reported(levels("[0, 9]", ", relative_humidity_percent = [0.8, 0.3]") + "top_km = 9"),
             Texts{"scene.toml:27:11: the relative humidity is 0.8 % at most: is it a fraction?"});
-  EXPECT_EQ(told(levels("[0, 9]", ", relative_humidity_percent = [80, 30]") +
-                 "top_km = 9\nrelative_humidity_percent = 0.7"),
+  EXPECT_EQ(reported(levels("[0, 9]", ", relative_humidity_percent = [80, 30]") +
+                     "top_km = 9\nrelative_humidity_percent = 0.7"),
             Texts{"scene.toml:29:29: 0.7 % is very dry: is it a fraction? 0.7 of saturation would "
                   "be 70"});
 }
@@ -117,7 +117,7 @@ TEST(CheckOfAir, AsksForEveryWavelength) {
   const Texts sea{
       "sea.refractive_index=1.33", "sea.group_index=1.33", "sea.layer.1.iop=" + iop,
       "sea.layer.0={ bottom_depth_m = 20, phase_function = \"petzold\", iop = " + iop + " }"};
-  const auto told = [&](const Texts& more) {
+  const auto reported = [&](const Texts& more) {
     Texts all = sea;
     all.insert(all.end(), more.begin(), more.end());
     return of_section(us_standard, all);
@@ -125,11 +125,11 @@ TEST(CheckOfAir, AsksForEveryWavelength) {
   const std::string none = ": no air scattering data at ";
   const std::string known =
       std::string(" nm: ") + optics::air_scattering_source + " cover 200-1100 nm";
-  EXPECT_EQ(told({"source.wavelength_nm=1090"}), Texts{});
+  EXPECT_EQ(reported({"source.wavelength_nm=1090"}), Texts{});
   EXPECT_EQ(
-      told({"source.wavelength_nm=1150"}),
+      reported({"source.wavelength_nm=1150"}),
       Texts{"--set source.wavelength_nm" + none + "1150" + known + " (choose another wavelength)"});
-  EXPECT_EQ(told({"source.wavelength_nm=1064", "channel.0.process=raman"}),
+  EXPECT_EQ(reported({"source.wavelength_nm=1064", "channel.0.process=raman"}),
             Texts{"--set channel.0.process" + none + "1662.58" + known +
                   "; channel \"elastic\" counts raman light there (choose another wavelength)"});
 }

@@ -182,20 +182,21 @@ TEST(CheckMedium, EveryTextWithLineAndColumn) {
 // Koepke's are known wherever water's optics are; of a wind of 0, of slicks and with whitecaps =
 // false nobody asks.
 TEST(CheckMedium, AsksForWhitecapsWhereThereAreAny) {
-  const auto told = [](const std::string& keys, const Texts& overrides = {}) {
+  const auto reported = [](const std::string& keys, const Texts& overrides = {}) {
     return problems({{3, 3, "wavelength_nm = 355.0"},
                      {19, 19, "[sea]\nsurface = { model = \"cox-munk\", " + keys + " }"},
                      {22, 25, clear_layer}},
                     overrides);
   };
   const std::string frouin = ", whitecap_reflectance = \"frouin1996\"";
-  EXPECT_EQ(told("wind_speed_m_s = 5"), Texts{});
-  EXPECT_EQ(told("wind_speed_m_s = 0" + frouin), Texts{});
-  EXPECT_EQ(told("wind_speed_m_s = 5, whitecaps = false" + frouin), Texts{});
-  EXPECT_EQ(told("wind_speed_m_s = 5, slick = true" + frouin), Texts{});
-  EXPECT_EQ(told("wind_speed_m_s = 6, whitecap_law = \"stramska2003\"" + frouin), Texts{});
-  EXPECT_EQ(told("wind_speed_m_s = 7, whitecap_law = \"stramska2003\"" + frouin).size(), 1U);
-  const Texts of_set = told("wind_speed_m_s = 5", {"sea.surface.whitecap_reflectance=frouin1996"});
+  EXPECT_EQ(reported("wind_speed_m_s = 5"), Texts{});
+  EXPECT_EQ(reported("wind_speed_m_s = 0" + frouin), Texts{});
+  EXPECT_EQ(reported("wind_speed_m_s = 5, whitecaps = false" + frouin), Texts{});
+  EXPECT_EQ(reported("wind_speed_m_s = 5, slick = true" + frouin), Texts{});
+  EXPECT_EQ(reported("wind_speed_m_s = 6, whitecap_law = \"stramska2003\"" + frouin), Texts{});
+  EXPECT_EQ(reported("wind_speed_m_s = 7, whitecap_law = \"stramska2003\"" + frouin).size(), 1U);
+  const Texts of_set =
+      reported("wind_speed_m_s = 5", {"sea.surface.whitecap_reflectance=frouin1996"});
   ASSERT_EQ(of_set.size(), 1U);
   EXPECT_TRUE(of_set[0].starts_with("--set sea.surface.whitecap_reflectance: no whitecap "))
       << of_set[0];
@@ -222,7 +223,7 @@ TEST(CheckMedium, NamesTheSetThatAsksForIt) {
 }
 
 // Not what follows from it: Raman light of 1663 nm has no data either.
-TEST(CheckMedium, TellsAWrongLaserOnce) {
+TEST(CheckMedium, ReportsAWrongLaserOnce) {
   EXPECT_EQ(problems({{3, 3, "wavelength_nm = 1064.0"},
                       {16, 17, raman_channel},
                       {18, 18, "[optics]\nwater_absorption = \"ioccg\""},
@@ -232,7 +233,7 @@ TEST(CheckMedium, TellsAWrongLaserOnce) {
 }
 
 // With all else that is wrong, in the order of the file.
-TEST(CheckMedium, TellsWithAllElse) {
+TEST(CheckMedium, ReportsWithAllElse) {
   const Texts expected{
       R"(scene.toml:24:7: the iop of layer "layer1" covers 532.5 to 534.5 nm, not 532 nm; the source emits there (add an entry for it))",
       "scene.toml:28:16: 'depth_step_m' must be a finite number, greater than 0, not -1"};

@@ -176,10 +176,10 @@ TEST(Constituents, AddMineralsUp) {
       EXPECT_NEAR(m.view().phases.value<double>(x, m.elastic_phase[l]) / expected, 1, 2e-5) << x;
     }
   }
-  const auto told =
+  const auto listed =
       std::ranges::find(m.sources, std::string("a and b of minerals"), &Source::quantity);
-  ASSERT_NE(told, m.sources.end());
-  EXPECT_TRUE(told->source.starts_with("a at 443 nm given in the scene")) << told->source;
+  ASSERT_NE(listed, m.sources.end());
+  EXPECT_TRUE(listed->source.starts_with("a at 443 nm given in the scene")) << listed->source;
 }
 
 // Without algae. Seen red: with the algae's spheres; with the index of the laser's light for all.

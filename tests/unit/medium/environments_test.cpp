@@ -50,7 +50,8 @@ TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBe) {
 
 // More minerals in a layer that has some beside algae, and in one that has algae alone: there, they
 // are the second part of the scattering, as the algae are elsewhere. Seen red: with the phase
-// functions of minerals taken for those of algae; with what algae scatter told apart by rounding.
+// functions of minerals taken for those of algae; with what algae scatter distinguished by
+// rounding.
 TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBeWithMinerals) {
   const auto with_minerals = [](scene::Layer layer, double minerals_g_m3) {
     layer.minerals_g_m3 = minerals_g_m3;

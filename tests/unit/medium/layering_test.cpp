@@ -96,7 +96,7 @@ TEST(Layering, AllowsForRoundingAtTheEndsOfCells) {
   }
 }
 
-// Layers that are alike are told apart by one edge each.
+// Layers that are alike differ by one edge each.
 TEST(Layering, HasFewEdgesInACell) {
   for (const std::int32_t layers : {2, 50, 200}) {
     std::vector<double> edges;

@@ -155,18 +155,19 @@ TEST(OpticalTable, OfLayersWithGivenOpticsHasNoConstituents) {
 }
 
 // Below 300 nm absorption comes from another set. Seen red: with the range of the first for both.
-TEST(OpticalTable, TellsForWhichWavelengthsASourceServed) {
+TEST(OpticalTable, ListsForWhichWavelengthsASourceServed) {
   const OpticalTable table = table_of({water_layer("pure", 0)}, {250, 290, 310, 532, 700});
-  std::vector<std::string> told;
+  std::vector<std::string> listed;
   for (const auto& [quantity, first, last, source] : table.sources)
-    told.push_back(fmt::format("{} {} {} {}", quantity, first, last, source.substr(0, 5)));
-  EXPECT_EQ(told, (std::vector<std::string>{"a of water 250 290 IOCCG", "b of water 250 700 Zhang",
-                                            "a of water 310 700 Mason"}));
+    listed.push_back(fmt::format("{} {} {} {}", quantity, first, last, source.substr(0, 5)));
+  EXPECT_EQ(listed,
+            (std::vector<std::string>{"a of water 250 290 IOCCG", "b of water 250 700 Zhang",
+                                      "a of water 310 700 Mason"}));
 }
 
 // Whether or not a channel counts the light. Seen red: with what is absorbed at another wavelength
 // than the laser's.
-TEST(OpticalTable, TellsWhatLayersEmit) {
+TEST(OpticalTable, ListsWhatLayersEmit) {
   auto scene = scene_of({water_layer("clear", 0), water_layer("green", 0.5)},
                         {test::channel_of(Process::elastic)});
   scene.source.wavelength_nm = 488;
@@ -211,7 +212,7 @@ TEST(OpticalTable, RefusesWavelengthsWithoutData) {
   }
 }
 
-TEST(OpticalTable, TellsPhaseFunctionsFromForwardToBackward) {
+TEST(OpticalTable, ListsPhaseFunctionsFromForwardToBackward) {
   const auto angles = table_angles_deg();
   EXPECT_EQ(angles.size(), 66U);
   EXPECT_EQ(angles.front(), 0);

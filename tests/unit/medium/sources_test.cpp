@@ -8,7 +8,7 @@ namespace photic::medium {
 namespace {
 
 // Seen red: with a new source for each wavelength.
-TEST(Sources, OfManyWavelengthsAreToldOnce) {
+TEST(Sources, OfManyWavelengthsAreListedOnce) {
   std::vector<Source> sources;
   for (const double nm : {532.0, 650.0, 488.0}) add_source("a of water", "a paper", nm, sources);
   add_source("a of water", "another paper", 700, sources);
@@ -20,13 +20,13 @@ TEST(Sources, OfManyWavelengthsAreToldOnce) {
   EXPECT_EQ(source_line(sources[2]), "a of CDOM, 532 nm: given");
 }
 
-TEST(Sources, OfWhatIsTheSameAtAllWavelengthsTellNone) {
+TEST(Sources, OfWhatIsTheSameAtAllWavelengthsNameNone) {
   std::vector<Source> sources;
   add_source("slopes of the sea surface", "a paper", 0, sources);
   EXPECT_EQ(source_line(sources.at(0)), "slopes of the sea surface: a paper");
 }
 
-TEST(Sources, OfWhatAddsNothingAreNotTold) {
+TEST(Sources, OfWhatAddsNothingAreNotListed) {
   std::vector<Source> sources;
   add_source(Contribution{.name = "CDOM", .a_per_m = {}, .b_per_m = {}, .source = "given"}, 532,
              sources);

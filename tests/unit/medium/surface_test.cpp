@@ -165,7 +165,7 @@ TEST(WavesView, IsThatOfAFlatSeaWithoutWind) {
 
 // Seen red: without the fraction's.
 TEST(WavesOfAScene, AreSourcesOfTheMedium) {
-  const auto told = [](const scene::Surface& surface, const std::string& quantity) {
+  const auto listed = [](const scene::Surface& surface, const std::string& quantity) {
     std::string lines;
     for (const Source& source : medium_under(surface).sources)
       if (source.quantity == quantity) lines += source_line(source) + "\n";
@@ -173,27 +173,27 @@ TEST(WavesOfAScene, AreSourcesOfTheMedium) {
   };
   const std::string slopes = "slopes of the sea surface", fraction = "fraction of whitecaps",
                     reflectance = "reflectance of whitecaps";
-  EXPECT_EQ(told(cox_munk_sea(10), slopes),
+  EXPECT_EQ(listed(cox_munk_sea(10), slopes),
             "slopes of the sea surface: Cox & Munk 1954, J. Opt. Soc. Am. 44, 838, clean sea, with "
             "the Gram-Charlier series of the clean sea\n");
-  EXPECT_EQ(told(cox_munk_sea(10), fraction),
+  EXPECT_EQ(listed(cox_munk_sea(10), fraction),
             "fraction of whitecaps: Monahan & O'Muircheartaigh 1980, J. Phys. Oceanogr. 10, 2094 "
             "[uncertain by a factor of two]\n");
-  EXPECT_EQ(told(cox_munk_sea(10), reflectance),
+  EXPECT_EQ(listed(cox_munk_sea(10), reflectance),
             "reflectance of whitecaps, 532-685 nm: " + library().whitecaps_koepke.source + "\n");
   scene::Surface frouin = cox_munk_sea(10);
   frouin.whitecap_reflectance = scene::WhitecapReflectance::frouin1996;
-  EXPECT_EQ(told(frouin, reflectance),
+  EXPECT_EQ(listed(frouin, reflectance),
             "reflectance of whitecaps, 532-685 nm: " + library().whitecaps_koepke.source + "; " +
                 library().whitecaps_frouin.source + "\n");
   scene::Surface own = gaussian_sea(0.02, 0.01);
-  EXPECT_EQ(told(own, slopes),
+  EXPECT_EQ(listed(own, slopes),
             "slopes of the sea surface: a Gaussian of the scene's own variances\n");
-  EXPECT_EQ(told(own, fraction) + told(own, reflectance), "");
+  EXPECT_EQ(listed(own, fraction) + listed(own, reflectance), "");
   own.whitecap_fraction = 0.1;
-  EXPECT_EQ(told(own, fraction), "fraction of whitecaps: the scene\n");
+  EXPECT_EQ(listed(own, fraction), "fraction of whitecaps: the scene\n");
   for (const auto& quantity : {slopes, fraction, reflectance})
-    EXPECT_EQ(told({}, quantity) + told(cox_munk_sea(0), quantity), "");
+    EXPECT_EQ(listed({}, quantity) + listed(cox_munk_sea(0), quantity), "");
 }
 
 TEST(WhitecapsOfAScene, AreRefusedWhereTheirReflectanceIsNotKnown) {

@@ -33,8 +33,8 @@ TEST_F(PhytoplanktonTableOfAUser, IsReadOnceItIsGood) {
                                             "scene.toml", "/", {}, check)
                          .scene;
   const Medium m = medium_of(scene);
-  const std::string told = source_line(m.sources[2]);
-  EXPECT_TRUE(told.starts_with("a and b of phytoplankton, 532 nm: given in " + file_)) << told;
+  const std::string listed = source_line(m.sources[2]);
+  EXPECT_TRUE(listed.starts_with("a and b of phytoplankton, 532 nm: given in " + file_)) << listed;
 }
 
 TEST_F(PhytoplanktonTableOfAUser, IsRefusedAtItsLine) {
@@ -118,7 +118,7 @@ TEST_F(PhaseTableOfAUser, IsRefusedAtItsLineAfterTheScene) {
                    "0, not -1"}));
 }
 
-TEST_F(PhaseTableOfAUser, IsToldOnceWhereTwoLayersUseIt) {
+TEST_F(PhaseTableOfAUser, IsReportedOnceWhereTwoLayersUseIt) {
   auto edits = with("0,0.5\n180,0.5\n");
   edits.insert(
       edits.begin(),

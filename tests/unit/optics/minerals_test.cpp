@@ -24,7 +24,7 @@ TEST(Minerals, ByPowerLawsAreInProportionToTheirMass) {
   EXPECT_NEAR(own.b_per_m, 0.6 * 555 / 500, 1e-15);
 }
 
-// Each number its own. Seen red: with the exponent told by whether the slope is published.
+// Each number its own. Seen red: with the exponent chosen by whether the slope is published.
 TEST(Minerals, NameTheSourceOfEachNumber) {
   const std::string published = by_power_law(500).source;
   expect_contains(published, "Babin, Stramski et al. 2003, J. Geophys. Res. 108(C7), 3211 [from");

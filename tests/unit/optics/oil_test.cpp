@@ -32,7 +32,8 @@ TEST(Oil, OfAClassIsItsTable) {
   EXPECT_EQ(crude.lifetime_ns, 2);
 }
 
-// Strongly absorbing crude shines least, and farthest in the red: what fluorosensors tell oils by.
+// Strongly absorbing crude shines least, and farthest in the red: by which fluorosensors identify
+// oils.
 TEST(Oil, OfEachClassIsWholeAndInItsRange) {
   double last_yield = 1, last_peak = 0;
   for (const std::string& name : classes) {
@@ -57,7 +58,7 @@ TEST(Oil, OfEachClassIsWholeAndInItsRange) {
 }
 
 // Seen red: with the status left out of the source.
-TEST(Oil, TellsItsPlaceholders) {
+TEST(Oil, NamesItsPlaceholders) {
   int placeholders = 0, verified = 0;
   for (const std::string& name : classes) {
     for (const OilProperty& p : oil(library(), name).properties) {

@@ -126,7 +126,7 @@ TEST(PhaseFromTable, KnowsTheCustomsOfOtherFields) {
 
 TEST(PhaseFromTable, RefusesDetailFinerThanTheCells) {
   // A spike 0.05 degrees wide at 120 degrees, on top of a flat function, that holds 0.9 % of the
-  // scattering; at 179.5 degrees, 1 degree wide, it is told.
+  // scattering; at 179.5 degrees, 1 degree wide, it is reported.
   const auto ring = [](double from, double to) {
     return 2 * pi * (std::cos(from * radian_per_degree) - std::cos(to * radian_per_degree));
   };

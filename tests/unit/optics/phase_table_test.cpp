@@ -131,7 +131,7 @@ TEST(PhaseTable, SamplesTheInverseOfItsCumulative) {
 }
 
 // What samples are drawn from is value(), as closely as that is the formula. Differences of
-// samples that are close together tell it. Seen red: with the slopes of a cell's ends swapped; with
+// samples that are close together show it. Seen red: with the slopes of a cell's ends swapped; with
 // the kink at the core's edge smoothed.
 TEST(PhaseTable, SamplesAreAsDenseAsItsValues) {
   for (const auto& [name, shape] : all_shapes()) {
@@ -182,7 +182,7 @@ TYPED_TEST(PhaseSamples, DoNotFallOnZeros) {
   EXPECT_LT(table.view().value(1.5), 1e-29);
 }
 
-// Zero from 60 to 90 degrees, where the inverse jumps by what no density tells: it is smeared over
+// Zero from 60 to 90 degrees, where the inverse jumps by what no density shows: it is smeared over
 // one cell of u. Seen red: without the least value of a node; without limits to slopes.
 TEST(PhaseTable, SamplesOnBothSidesOfAGap) {
   const auto p = [](double x) {

@@ -44,7 +44,7 @@ TEST(PhytoplanktonTable, NamesItsRange) {
 
 // Each with file, line and column. Seen red: with negative numbers let through; with a share above
 // the whole let through.
-TEST(PhytoplanktonTable, TellsWhatIsWrongWithAFile) {
+TEST(PhytoplanktonTable, ReportsWhatIsWrongWithAFile) {
   EXPECT_EQ(why_not("wavelength_nm,a_m2_per_mg\n400,1\n500,1\n"),
             "algae.csv:1:1: no column \"b_m2_per_mg\" (there are, between commas: wavelength_nm, "
             "a_m2_per_mg)");

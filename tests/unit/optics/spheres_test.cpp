@@ -193,8 +193,8 @@ TEST(Spheres, HaveCrossSectionsThatFallAsTheirContrastDoes) {
   };
   const double at_1 = scattering(1e-7) / 1e-14;
   for (const double contrast : {1.001e-8, 0.999e-8, -0.999e-8, 1e-11, 1e-15}) {
-    const double told = (1 + contrast) - 1;  // as far as 1 + contrast has its digits
-    EXPECT_NEAR(scattering(contrast) / (told * told) / at_1, 1, 1e-6) << contrast;
+    const double rounded = (1 + contrast) - 1;  // as far as 1 + contrast has its digits
+    EXPECT_NEAR(scattering(contrast) / (rounded * rounded) / at_1, 1, 1e-6) << contrast;
     EXPECT_NEAR(sampled_sections(faint(contrast)).scattering_m2 / scattering(contrast), 1, 1e-3);
   }
   EXPECT_EQ(scattering(0), 0);

@@ -60,7 +60,7 @@ TEST(MeritIn, IsTheGeometricMeanOverTheComparedGates) {
   EXPECT_NEAR(merit(0, Aim::worst_gates).value(), 1.0, 1e-12);
 }
 
-/// Two gates, of which the first one is compared if so told.
+/// Two gates, of which the first one is compared on demand.
 class BestOf : public testing::Test {
  protected:
   void enter(const char* name, bool exact, double first, double second) {

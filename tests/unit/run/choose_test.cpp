@@ -141,7 +141,7 @@ scene::Scene clear_scene(double per_m, const std::string& gates) {
 }
 
 // Seen red: as it was, with photons that cost nothing, 1 for the squared error of a gate without a
-// score, and a contest of those who saw nothing.
+// score, and a contest of those that saw nothing.
 TEST(Choose, NeverTakesWhatSawNothing) {
   for (const double per_m : {1e-7, 1e-12}) {
     const auto chosen = choose_estimator(clear_scene(per_m, test::depth_gates(50, 5)), {});
@@ -192,7 +192,7 @@ TEST(Choose, TakesWhatIsBestOnPeakedWater) {
   EXPECT_EQ(chosen.walk_attenuation, 0.6);
 }
 
-/// The shares that contend, as the reason tells them.
+/// The shares that contend, as the reason names them.
 std::vector<double> walk_attenuations_in(const std::string& reason) {
   const std::string name = "walk_attenuation = ";
   std::vector<double> out;
@@ -221,7 +221,7 @@ TEST(Choose, NeverLetsWeightsGrow) {
   }
 }
 
-// What is made small is told. Seen red: with the aim of a scene without a target.
+// What is made small is stated. Seen red: with the aim of a scene without a target.
 TEST(Choose, SaysWhatItMakesSmall) {
   scene::Scene asked = scene_of("auto");
   const auto has = [](const scene::Scene& chosen, const char* words) {

@@ -42,7 +42,7 @@ TEST(Contest, TakesLessForAShorterRun) {
   EXPECT_LT(4 * outcome_of(model_of(0, 0.3)).operations, outcome_of(model_of(0, 0.005)).operations);
 }
 
-// Of two limits the nearer one tells how long the run is. Seen red: with the target alone.
+// Of two limits the nearer one sets how long the run is. Seen red: with the target alone.
 TEST(Contest, LooksAtPhotonsAndTarget) {
   EXPECT_EQ(outcome_of(model_of(1000, 0.005)).operations,
             outcome_of(model_of(1000, 0.3)).operations);

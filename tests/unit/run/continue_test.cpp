@@ -117,15 +117,15 @@ TEST(Continued, AddsUpTheTime) {
 }
 
 // Seen red: without them.
-TEST(Continued, TellsThePhotonsOfEarlierSittings) {
-  std::vector<Progress> told;
+TEST(Continued, ReportsThePhotonsOfEarlierSittings) {
+  std::vector<Progress> reported;
   RunOptions options;
   options.start = start_of(run(scene_of(16'000)));
-  options.progress = [&](const Progress& progress) { told.push_back(progress); };
+  options.progress = [&](const Progress& progress) { reported.push_back(progress); };
   run(scene_of(80'000), options);
-  ASSERT_FALSE(told.empty());
-  EXPECT_EQ(told.front().photons, 16'000U);
-  EXPECT_EQ(told.front().photons_before, 16'000U);
+  ASSERT_FALSE(reported.empty());
+  EXPECT_EQ(reported.front().photons, 16'000U);
+  EXPECT_EQ(reported.front().photons_before, 16'000U);
 }
 
 // The target is looked at before anything is added. Seen red: without that look.

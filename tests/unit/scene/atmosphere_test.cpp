@@ -54,8 +54,8 @@ TEST(Atmosphere, HasTheAirOfTheLandOnAClearDay) {
   EXPECT_FALSE(deep.visibility_km);
 }
 
-// Seen red: with LOWTRAN's visibility in place of the aerosols that levels tell of.
-TEST(Atmosphere, OfLevelsThatTellOfAerosolsKeepsThem) {
+// Seen red: with LOWTRAN's visibility in place of the aerosols of the levels.
+TEST(Atmosphere, OfLevelsWithAerosolsKeepsThem) {
   const auto visibility_km = [](const std::string& more) {
     const std::string all = std::string(levels).substr(0, std::string(levels).size() - 2) + more;
     return base_scene({{"atmosphere={ profile = " + all + " } }"}}).atmosphere->visibility_km;
@@ -160,7 +160,7 @@ TEST(Atmosphere, OfATape6HasItsLevelsAndAerosols) {
                   "levels beside it"});
 }
 
-// A tape7 tells the transmittance of all there is: molecules, ozone and aerosols are taken out.
+// A tape7 has the transmittance of all there is: molecules, ozone and aerosols are taken out.
 // Where it prints 0, gases are as good as opaque. Seen red: with the aerosols left in.
 TEST(Atmosphere, OfGasesHasWhatATape7AbsorbsBesides) {
   const std::string head =
@@ -366,7 +366,7 @@ TEST(Atmosphere, EveryRemarkOnUnits) {
 }
 
 TEST(Atmosphere, EveryTextOfWhatDoesNotGoWithIt) {
-  const auto told = [](const std::vector<Override>& more) {
+  const auto reported = [](const std::vector<Override>& more) {
     std::vector<Override> all{us_standard};
     all.insert(all.end(), more.begin(), more.end());
     return diagnostics_of(edited({}), all);
@@ -375,21 +375,21 @@ TEST(Atmosphere, EveryTextOfWhatDoesNotGoWithIt) {
       "instruments in the water cannot be combined with air yet (put it into the air (z > 0), or "
       "leave "
       "[atmosphere] out)";
-  EXPECT_EQ(told({{"gates={ start_ns = 0, stop_ns = 100, step_ns = 1 }"},
-                  {"source.position_m=[0, 0, -1]"}}),
+  EXPECT_EQ(reported({{"gates={ start_ns = 0, stop_ns = 100, step_ns = 1 }"},
+                      {"source.position_m=[0, 0, -1]"}}),
             Texts{"--set source.position_m: " + no_air});
-  EXPECT_EQ(told({{"gates={ start_ns = 0, stop_ns = 100, step_ns = 1 }"},
-                  {"telescope.0.position_m=[0, 0, -1]"}}),
+  EXPECT_EQ(reported({{"gates={ start_ns = 0, stop_ns = 100, step_ns = 1 }"},
+                      {"telescope.0.position_m=[0, 0, -1]"}}),
             Texts{"--set telescope.0.position_m: " + no_air});
   EXPECT_EQ(
-      told({{"oil={ class = \"light-refined\", thickness_um = 1 }"}}),
+      reported({{"oil={ class = \"light-refined\", thickness_um = 1 }"}}),
       Texts{"--set oil: a film of oil cannot be combined with air yet (leave [oil] or [atmosphere] "
             "out)"});
-  EXPECT_EQ(told({{"simulation.tools.forced_collisions=2"}}),
+  EXPECT_EQ(reported({{"simulation.tools.forced_collisions=2"}}),
             Texts{"--set simulation.tools.forced_collisions: the forward estimator's tools cannot "
                   "be combined with air yet "
                   "(leave [simulation.tools] or [atmosphere] out)"});
-  EXPECT_EQ(told({{"source.position_m=[0, 0, 7e5]"}, {"telescope.0.position_m=[0, 0, 7e5]"}}),
+  EXPECT_EQ(reported({{"source.position_m=[0, 0, 7e5]"}, {"telescope.0.position_m=[0, 0, 7e5]"}}),
             Texts{});  // above the top
 }
 

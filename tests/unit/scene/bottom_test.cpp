@@ -116,9 +116,9 @@ TEST_F(BedOfAFile, IsTheTableInIt) {
                           .scene;
   EXPECT_TRUE(scene == read_text(over_bed(both)));
   EXPECT_TRUE(read_text(write_scene(scene)) == scene) << write_scene(scene);
-  EXPECT_EQ(albedo_told(*scene.bottom), "0.1 to 0.8, given in " + files_.path("sand.csv"));
-  EXPECT_EQ(albedo_told(*read_text(over_bed(both)).bottom), "0.1 to 0.8, given");
-  EXPECT_EQ(albedo_told(*read_text(over_bed("0.1")).bottom), "0.1, given");
+  EXPECT_EQ(reported_albedo(*scene.bottom), "0.1 to 0.8, given in " + files_.path("sand.csv"));
+  EXPECT_EQ(reported_albedo(*read_text(over_bed(both)).bottom), "0.1 to 0.8, given");
+  EXPECT_EQ(reported_albedo(*read_text(over_bed("0.1")).bottom), "0.1, given");
   for (const char* rows :
        {"wavelength_nm,albedo\n500,0.1\n600,0.2\n", "zenith_deg,albedo\n0,0.1\n45,0.2\n90,0.3\n"}) {
     const Scene other = files_.read(sand(rows)).scene;
@@ -158,7 +158,7 @@ TEST_F(BedOfAFile, IsRefusedAtItsLine) {
 
 // Seen red, each for itself: with albedos above 1 taken; angles above 90; any order of rows; angles
 // from 10 on; to 80; other angles at each wavelength; one wavelength alone; a bed under a sea
-// without one; what is wrong told at the table.
+// without one; problems reported at the table.
 TEST(Bottom, EveryTextOfWhatIsWrong) {
   const std::string reflected = " (it is the share of the light that is reflected)";
   const std::string whole = " (give the albedo from 0 to 90 degrees)";
@@ -313,17 +313,21 @@ TEST(Bottom, EchoesAreDerivedByIt) {
   EXPECT_DOUBLE_EQ(std::get<double>(by.below.bottom->albedo), 0.1998);
   EXPECT_DOUBLE_EQ(std::get<double>(by.above.bottom->albedo), 0.2002);
   EXPECT_TRUE(read_text(write_scene(scene)) == scene);
-  const auto told = [&](const char* albedo) { return diagnostics_of(derived + over_bed(albedo)); };
-  EXPECT_EQ(told("0"),
+  const auto reported = [&](const char* albedo) {
+    return diagnostics_of(derived + over_bed(albedo));
+  };
+  EXPECT_EQ(reported("0"),
             Texts{"scene.toml:1:16: 'bottom.albedo' is 0: the derivative may be infinite there, "
                   "and no step is small relative to it (give it a small value "
                   "instead)"});
-  EXPECT_EQ(told("1"), Texts{"scene.toml:1:16: no step of 'bottom.albedo' to 1.001 can be made: "
-                             "'albedo' must be a finite number, at least 0 and at most 1, not "
-                             "1.001"});
-  EXPECT_EQ(told(angles), Texts{"scene.toml:1:16: 'bottom.albedo' is a table, not a number (name "
-                                "the path of a number)"});
-  EXPECT_EQ(told("5"),
+  EXPECT_EQ(reported("1"),
+            Texts{"scene.toml:1:16: no step of 'bottom.albedo' to 1.001 can be made: "
+                  "'albedo' must be a finite number, at least 0 and at most 1, not "
+                  "1.001"});
+  EXPECT_EQ(reported(angles),
+            Texts{"scene.toml:1:16: 'bottom.albedo' is a table, not a number (name "
+                  "the path of a number)"});
+  EXPECT_EQ(reported("5"),
             Texts{"scene.toml:29:10: 'albedo' must be a finite number, at least 0 and at "
                   "most 1, not 5"});
 }

@@ -29,7 +29,7 @@ void expect_round_trips(const std::string& path, const Member& member, const Mor
     EXPECT_NE(text.find(path.substr(path.rfind('.') + 1) + " = \"" + word + '"'), std::string::npos)
         << text;
     EXPECT_EQ(read_text(text), scene);
-    EXPECT_TRUE(values.insert(value).second) << "told twice";
+    EXPECT_TRUE(values.insert(value).second) << "listed twice";
   }
   EXPECT_EQ(values.size(), static_cast<std::size_t>(*values.rbegin()) + 1) << "a value has no word";
 }

@@ -78,8 +78,8 @@ TEST(EnvironmentGrid, MayComeFromSet) {
                    "be a finite number, at least 0, not -4"}));
 }
 
-// Seen red, each for itself: values told at their key; the same problem told for each environment
-// that has it; values not compared; the number of environments not looked at.
+// Seen red, each for itself: values reported at their key; the same problem reported for each
+// environment that has it; values not compared; the number of environments not looked at.
 TEST(EnvironmentGrid, EveryTextOfWhatIsWrong) {
   const std::vector<std::pair<std::string, Texts>> cases{
       {grid(R"("sea.layer.0.chlorophyll_mg_m3" = [0.1, -1]

@@ -245,32 +245,34 @@ TEST(Environment, EveryTextOfWhatIsWrong) {
 
 // Seen red: with names that may be there twice.
 TEST(Environment, NamesTwiceAndKeysAmiss) {
-  const auto told = [](const std::string& text) { return diagnostics_of(with_environments(text)); };
+  const auto reported = [](const std::string& text) {
+    return diagnostics_of(with_environments(text));
+  };
   EXPECT_EQ(
-      told("[[environment]]\nname = \"environment1\"\nset = {}\n[[environment]]\nset = {}"),
+      reported("[[environment]]\nname = \"environment1\"\nset = {}\n[[environment]]\nset = {}"),
       (Texts{
           R"(scene.toml:34:1: two of [[environment]] are called "environment1" (give each its own name))"}));
   EXPECT_EQ(
-      told("[[environment]]\nname = \"a\""),
+      reported("[[environment]]\nname = \"a\""),
       (Texts{"scene.toml:31:1: 'set' is missing in [[environment]] (add it: the values that differ "
              "in this water, by their paths: those of --set that begin with "
              "sea., optics., bottom., oil. or atmosphere.)"}));
   EXPECT_EQ(
-      told("[[environment]]\nset = 5"),
+      reported("[[environment]]\nset = 5"),
       (Texts{
           R"(scene.toml:32:7: 'set' must be a table, not 5 (write { "sea.layer.0.chlorophyll_mg_m3" = 0.5 }))"}));
   EXPECT_EQ(
-      told("[[environment]]\nset = {}\nchannel = 1"),
+      reported("[[environment]]\nset = {}\nchannel = 1"),
       (Texts{"scene.toml:33:1: unknown key 'channel' in [[environment]] (write [[channel]])"}));
   EXPECT_EQ(diagnostics_of("environment = []\n" + edited({})),
             (Texts{"scene.toml:1:15: 'environment' must be one or more tables, not [] (write "
                    "[[environment]])"}));
 }
 
-// Seen red, each for itself: with the scene's problems told again; places outside the changes kept;
-// all told at `set`; the place of the key where --set gave the value; names in paths left as they
-// are.
-TEST(Environment, ProblemsAreToldOnceAndAtTheChange) {
+// Seen red, each for itself: with the scene's problems reported again; places outside the changes
+// kept; all reported at `set`; the place of the key where --set gave the value; names in paths left
+// as they are.
+TEST(Environment, ProblemsAreReportedOnceAndAtTheChange) {
   const std::string two = R"([[environment]]
 set = { "optics.raman" = "bartlett" }
 [[environment]]
@@ -307,7 +309,7 @@ name = "b"
 
 /// Stands for the optics, which find nothing wrong with the base scene.
 void find_fault(const Scene& scene, Findings& findings) {
-  findings.remark("channel.0.process", "told of every water");
+  findings.remark("channel.0.process", "true of every water");
   if (scene.sea.layer[0].chlorophyll_mg_m3 > 0.1) findings.remark("sea.layer.0", "a murky layer");
   if (scene.sea.layer[0].chlorophyll_mg_m3 <= 1.0) return;
   findings.add("source.wavelength_nm", "no data", "another laser");
@@ -315,14 +317,14 @@ void find_fault(const Scene& scene, Findings& findings) {
   findings.add("sea.layer.1", {"vsf.csv", 3, 1}, "no number", "");
 }
 
-// Seen red, each for itself: with the check not run on environments; the scene's remarks told
-// again; what is wrong in other files told at a change.
+// Seen red, each for itself: with the check not run on environments; the scene's remarks reported
+// again; what is wrong in other files reported at a change.
 TEST(Environment, IsCheckedAsTheSceneIs) {
   const std::string text = with_environments(R"([[environment]]
 name = "b"
 set = { "optics.raman" = "bartlett", "sea.layer.0.chlorophyll_mg_m3" = 0.5 })");
   EXPECT_EQ(read_scene_text(text, "scene.toml", "/", {}, find_fault).remarks,
-            (Texts{"scene.toml:17:11: told of every water",
+            (Texts{"scene.toml:17:11: true of every water",
                    R"(scene.toml:33:38: in environment "b": a murky layer)"}));
   EXPECT_EQ(
       diagnostics_of(text, {"environment.0.set.sea.layer.0.chlorophyll_mg_m3=2"}, find_fault),

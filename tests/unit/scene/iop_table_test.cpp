@@ -165,7 +165,7 @@ struct Table {
 
 class IopTableProblem : public testing::TestWithParam<Table> {};
 
-TEST_P(IopTableProblem, IsToldAtItsPlace) {
+TEST_P(IopTableProblem, IsReportedAtItsPlace) {
   WrittenFiles files(std::string("iop_") + GetParam().name);
   files.write("lib.csv", GetParam().rows);
   EXPECT_EQ(files.problems(tabled(with_phase)), GetParam().expected);
@@ -247,7 +247,7 @@ INSTANTIATE_TEST_SUITE_P(
                "(keep one of them)"}}),
     [](const auto& each) { return std::string(each.param.name); });
 
-TEST(IopTable, BackscatteringMustTellAPhaseFunction) {
+TEST(IopTable, BackscatteringMustYieldAPhaseFunction) {
   WrittenFiles files("iop_bb");
   files.write("lib.csv",
               "depth_m, wavelength_nm, a_per_m, b_per_m, bb_per_m\n0, 500, 1, 1, 0.6\n"
@@ -336,7 +336,7 @@ TEST(IopTable, NetcdfProblemsNameVariableAndIndex) {
 
 std::string entries(const std::string& iop) { return edited({{24, 25, "iop = [" + iop + "]"}}); }
 
-TEST(Backscattering, TellsThePhaseFunctionOfAnIopLayer) {
+TEST(Backscattering, SetsThePhaseFunctionOfAnIopLayer) {
   const Scene scene = read_text(
       entries("{ wavelength_nm = 532, a_per_m = 0.06, b_per_m = 0.1, bb_per_m = 0.002 }"));
   EXPECT_EQ(scene.sea.layer[1].iop[0].bb_per_m, 0.002);

@@ -112,14 +112,14 @@ TEST(LayerWater, MayDifferInAnEnvironment) {
 
 // Allowed is what the scale allows. Seen red: with the greatest value in its place.
 TEST(LayerWater, OfAnEnvironmentMustSuitTheScenesLayers) {
-  const auto told = [](const char* values) {
+  const auto reported = [](const char* values) {
     return diagnostics_of(in_environment(
         "temperature_c = { depth_m = [0, 20], value = [4, 0] }",
         fmt::format(R"("sea.layer.0.temperature_c" = {{ depth_m = [0, 20], value = [{}] }})",
                     values)));
   };
-  EXPECT_EQ(told("1, -2"), Texts{});
-  EXPECT_EQ(told("30, 20"),
+  EXPECT_EQ(reported("1, -2"), Texts{});
+  EXPECT_EQ(reported("30, 20"),
             (Texts{"scene.toml:33:9: 'temperature_c' departs from its mean by 2.5 between 0 and "
                    "10 m, a layer of the scene; profile_tolerance allows 1 (allow more by "
                    "\"sea.profile_tolerance\" in the environment, or simulate that in a "
@@ -145,7 +145,7 @@ TEST(LayerWater, HasDerivatives) {
 
 class LayerWaterProblem : public testing::TestWithParam<Case> {};
 
-TEST_P(LayerWaterProblem, IsToldAtItsPlace) {
+TEST_P(LayerWaterProblem, IsReportedAtItsPlace) {
   EXPECT_EQ(diagnostics_of(edited(GetParam().edits)), GetParam().expected);
 }
 

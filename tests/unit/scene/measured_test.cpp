@@ -80,7 +80,7 @@ TEST(MeasuredLevels, RowsOfCsvLikewise) {
 
 // --- Below 0 -------------------------------------------------------------------------------------
 
-// Seen red: with such values told and kept.
+// Seen red: with such values reported and kept.
 TEST(MeasuredLevels, BelowZeroCountAsZeroWhereAskedFor) {
   WrittenFiles files("measured_negative");
   write_depths(files, {0, 10, 20, 30}, {0.1, 0.2, -0.007, -0.012});

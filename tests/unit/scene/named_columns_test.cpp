@@ -203,7 +203,7 @@ TEST_F(NamedColumns, OfABedBetweenBlanks) {
 }
 
 // Seen red: with numbers from 0; with one column taken twice; with the names left out.
-TEST_F(NamedColumns, WhatIsWrongIsToldAtItsPlace) {
+TEST_F(NamedColumns, WhatIsWrongIsReportedAtItsPlace) {
   files_.write("bed.dat", "# nm sand mud\n400 0.10 0.02\n500 0.14 0.04\n600 0.18 0.06\n");
   const auto problems = [&](const std::string& keys) {
     return files_.problems(with_a_bed("{ file = 'bed.dat'" + keys + " }"));
@@ -322,10 +322,10 @@ TEST_F(NamedColumns, WhatIsNoRegularFileIsRefused) {
       SCOPED_TRACE(key.name + ": " + name);
       std::string value = value_naming(key, true);
       value.replace(value.find("f.dat"), 5, name);
-      const Texts told = files_.problems(key.scene(value));
-      ASSERT_EQ(told.size(), 1U);
-      EXPECT_NE(told[0].find("names no regular file: "), std::string::npos) << told[0];
-      EXPECT_NE(told[0].find("(folders, pipes and devices are not read)"), std::string::npos);
+      const Texts reported = files_.problems(key.scene(value));
+      ASSERT_EQ(reported.size(), 1U);
+      EXPECT_NE(reported[0].find("names no regular file: "), std::string::npos) << reported[0];
+      EXPECT_NE(reported[0].find("(folders, pipes and devices are not read)"), std::string::npos);
     }
   }
   for (const std::string& text :
@@ -348,10 +348,10 @@ TEST_F(NamedColumns, NothingIsQuotedOfAFileThatIsNoTable) {
       std::string plain = "{ file = 'f.dat'" + key.more + " }";
       if (key.name == "a profile") plain = "{ file = 'f.dat', depth = 'z', column = 'chl' }";
       for (const std::string& value : {plain, value_naming(key, true), value_naming(key, false)}) {
-        const Texts told = files_.problems(key.scene(value));
-        ASSERT_FALSE(told.empty());
-        EXPECT_NE(told[0].find("no table of numbers"), std::string::npos) << told[0];
-        for (const std::string& each : told)
+        const Texts reported = files_.problems(key.scene(value));
+        ASSERT_FALSE(reported.empty());
+        EXPECT_NE(reported[0].find("no table of numbers"), std::string::npos) << reported[0];
+        for (const std::string& each : reported)
           for (const char* word : {"secret", "pass", "my"})
             EXPECT_EQ(each.find(word), std::string::npos) << each;
       }

@@ -13,7 +13,9 @@ namespace {
 const Override crude{"oil={ class = \"weakly-absorbing-crude\", thickness_um = 1 }"};
 const Override wind{"sea.surface={ model = \"cox-munk\", wind_speed_m_s = 7 }"};
 
-Texts told(const std::vector<Override>& overrides) { return diagnostics_of(edited({}), overrides); }
+Texts reported(const std::vector<Override>& overrides) {
+  return diagnostics_of(edited({}), overrides);
+}
 
 TEST(Oil, IsNoneByItself) { EXPECT_FALSE(base_scene().oil); }
 
@@ -49,7 +51,7 @@ struct OilFile {
   }
 };
 
-// What a file tells stands in the written scene, which needs no file.
+// What a file gives stands in the written scene, which needs no file.
 TEST(Oil, OfAFileHasItsYieldAndLifetime) {
   const OilFile file(std::string("# yield: 0.05\n# lifetime_ns: 7\n") + columns + oil_rows);
   const Scene scene = base_scene(file.overrides());
@@ -62,7 +64,7 @@ TEST(Oil, OfAFileHasItsYieldAndLifetime) {
 }
 TEST(Oil, OfAFileWithoutThemIsRefused) {
   const OilFile file(std::string("# yield: 0.05\n") + columns + oil_rows);
-  const Texts all = told(file.overrides());
+  const Texts all = reported(file.overrides());
   ASSERT_EQ(all.size(), 1U);
   EXPECT_TRUE(
       all[0].ends_with("photic-oil.csv:1:1: no line \"# lifetime_ns: …\" (add it, or give "
@@ -71,18 +73,18 @@ TEST(Oil, OfAFileWithoutThemIsRefused) {
 }
 
 // Seen red: with the numbers of the file before the scene's.
-TEST(Oil, TellsInTheSceneWhatItsFileDoesNot) {
+TEST(Oil, GivesInTheSceneWhatItsFileDoesNot) {
   const OilFile bare(std::string(columns) + oil_rows);
   auto given = bare.overrides();
   given.push_back({"oil.yield=0.1"});
   EXPECT_TRUE(
-      told(given).at(0).ends_with("no line \"# lifetime_ns: …\" (add it, or give "
-                                  "lifetime_ns in [oil])"));
+      reported(given).at(0).ends_with("no line \"# lifetime_ns: …\" (add it, or give "
+                                      "lifetime_ns in [oil])"));
   given.push_back({"oil.lifetime_ns=3"});
-  EXPECT_EQ(told(given), Texts{});
+  EXPECT_EQ(reported(given), Texts{});
   EXPECT_EQ(base_scene(given).oil->lifetime_ns, 3);
   const OilFile full(std::string("# yield: much\n# lifetime_ns: 7\n") + columns + oil_rows);
-  EXPECT_EQ(told(given), Texts{});
+  EXPECT_EQ(reported(given), Texts{});
   EXPECT_EQ(base_scene(given).oil->yield, 0.1);
 }
 
@@ -105,10 +107,10 @@ TEST(Oil, OfColumnsInTheSceneMayHaveYieldAndLifetimeBesideThem) {
   const Scene other = base_scene({oil_of_columns(beside, ", yield = 0.1, lifetime_ns = 2")});
   EXPECT_EQ(other.oil->yield, 0.1);
   EXPECT_EQ(other.oil->lifetime_ns, 2);
-  EXPECT_EQ(told({oil_of_columns(shining)}),
+  EXPECT_EQ(reported({oil_of_columns(shining)}),
             (Texts{"--set oil: 'yield' is missing in [oil] (add it, there or in 'file')",
                    "--set oil: 'lifetime_ns' is missing in [oil] (add it, there or in 'file')"}));
-  EXPECT_EQ(told({oil_of_columns(shining + ", yield = 2, lifetime_ns = -1")}),
+  EXPECT_EQ(reported({oil_of_columns(shining + ", yield = 2, lifetime_ns = -1")}),
             (Texts{"--set oil: 'yield' must be a finite number, at least 0 and at most 1, not 2",
                    "--set oil: 'lifetime_ns' must be a finite number, at least 0, not -1"}));
 }
@@ -120,24 +122,24 @@ TEST(Oil, ThatDoesNotShineNeedsNoSpectrum) {
   EXPECT_EQ(scene.oil->lifetime_ns, 2);
   EXPECT_EQ(read_text(write_scene(scene)), scene);
   const OilFile file("# yield: 0\nwavelength_nm,n,a_per_m\n300,1.5,1e5\n900,1.5,1e3\n");
-  EXPECT_EQ(told(file.overrides()), Texts{});
+  EXPECT_EQ(reported(file.overrides()), Texts{});
 }
 
 TEST(Oil, EveryTextOfWhatIsWrong) {
-  const auto with = [](const Override& more) { return told({crude, more}); };
-  EXPECT_EQ(told({{"oil={ thickness_um = 1 }"}}),
+  const auto with = [](const Override& more) { return reported({crude, more}); };
+  EXPECT_EQ(reported({{"oil={ thickness_um = 1 }"}}),
             Texts{"--set oil: [oil] needs 'class' or 'file'"});
   EXPECT_EQ(
-      told({{"oil={ class = \"light-refined\" }"}}),
+      reported({{"oil={ class = \"light-refined\" }"}}),
       Texts{"--set oil: 'thickness_um' is missing in [oil] (add it: the thickness of the film "
             "in um; at 0 there is none)"});
   EXPECT_EQ(with({"oil.thickness_um=-1"}),
             Texts{"--set oil.thickness_um: 'thickness_um' must be a finite number, at least 0, not "
                   "-1"});
-  EXPECT_EQ(told({wind, crude, {"sea.surface.whitecaps=true"}}),
+  EXPECT_EQ(reported({wind, crude, {"sea.surface.whitecaps=true"}}),
             Texts{"--set sea.surface.whitecaps: there are no whitecaps on a film of oil (leave it "
                   "out, or leave [oil] out)"});
-  EXPECT_EQ(told({wind, crude, {"sea.surface.whitecap_fraction=0.1"}}),
+  EXPECT_EQ(reported({wind, crude, {"sea.surface.whitecap_fraction=0.1"}}),
             Texts{"--set sea.surface.whitecap_fraction: there are no whitecaps on a film of oil "
                   "(leave it out, or leave [oil] out)"});
   EXPECT_EQ(with({"simulation.reception=overlap"}),
@@ -146,13 +148,13 @@ TEST(Oil, EveryTextOfWhatIsWrong) {
   EXPECT_EQ(with({"simulation.tools={ forced_collisions = 2 }"}),
             Texts{"--set simulation.tools: how much light leaves the water is known only for a "
                   "clean surface (write forced_collisions = 0, or leave [oil] out)"});
-  EXPECT_EQ(told({crude, {"channel.0.process=oil"}, {"simulation.estimator=bidirectional"}}),
+  EXPECT_EQ(reported({crude, {"channel.0.process=oil"}, {"simulation.estimator=bidirectional"}}),
             Texts{});
   EXPECT_EQ(
-      told({crude, wind, {"simulation.estimator=analog"}}),
+      reported({crude, wind, {"simulation.estimator=analog"}}),
       Texts{"--set simulation.estimator: the analog estimator cannot treat a film of oil on waves "
             "(write estimator = \"forward\", or sea.surface = { model = \"flat\" })"});
-  EXPECT_EQ(told({crude, {"oil.yield=0.6"}, {"simulation.estimator=analog"}}),
+  EXPECT_EQ(reported({crude, {"oil.yield=0.6"}, {"simulation.estimator=analog"}}),
             Texts{"--set simulation.estimator: analog photons are emitted with a probability below "
                   "1, and so by oils with a yield up to 0.5 (write estimator = \"forward\")"});
 }
@@ -169,7 +171,7 @@ TEST(Oil, AsThickAsAMillimetreIsRemarkedOn) {
 
 TEST(Oil, MayDifferInEnvironmentsButForWhatTimesItsLight) {
   const auto in = [](const std::string& set) {
-    return told({crude, {"environment=[{ set = { " + set + " } }]"}});
+    return reported({crude, {"environment=[{ set = { " + set + " } }]"}});
   };
   EXPECT_EQ(in("\"oil.thickness_um\" = 0"), Texts{});
   EXPECT_EQ(in("\"oil.yield\" = 0.1, \"oil.absorption_factor\" = 2"), Texts{});

@@ -23,7 +23,7 @@ TEST(CsvProfile, IsRead) {
   EXPECT_TRUE(read_scene_text(write_scene(scene), "written.toml", "/").scene == scene);
 }
 
-TEST(CsvProfile, ProblemsAreToldAtTheirLineAndColumn) {
+TEST(CsvProfile, ProblemsAreReportedAtTheirLineAndColumn) {
   WrittenFiles files("csv_profile_problems");
   const auto problems = [&](const std::string& rows, const std::string& profile = from_csv) {
     files.write("chl.csv", "depth_m, chl\n" + rows);

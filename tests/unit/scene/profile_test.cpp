@@ -249,7 +249,7 @@ TEST(Profile, HasNoOneValueToDeriveBy) {
 
 class ProfileProblem : public testing::TestWithParam<Case> {};
 
-TEST_P(ProfileProblem, IsToldAtItsPlace) {
+TEST_P(ProfileProblem, IsReportedAtItsPlace) {
   EXPECT_EQ(diagnostics_of(edited(GetParam().edits)), GetParam().expected);
 }
 

@@ -94,7 +94,7 @@ TEST(Read, WhatIsNoFileIsBadInput) {
 }
 
 // Seen red: with CDF version 2 not recognised.
-TEST(Read, WhatIsNoTextIsToldInOneLine) {
+TEST(Read, WhatIsNoTextIsReportedInOneLine) {
   const auto folder = std::filesystem::temp_directory_path() / "photic_no_text";
   std::filesystem::create_directories(folder);
   const std::string path = (folder / "my.nc").string();

@@ -140,7 +140,7 @@ bool holds_numbers(const json& schema) {
 }
 
 // Seen red: without "_um" in the table of units.
-TEST(Schema, TellsTheUnitOfEveryQuantity) {
+TEST(Schema, GivesTheUnitOfEveryQuantity) {
   std::multimap<std::string, json> properties;
   collect_properties(json::parse(scene_schema("1.2.3")), properties);
   const std::set<std::string> without{"seed", "profile", "value", "background", "maximum"};

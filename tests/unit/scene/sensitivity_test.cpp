@@ -88,7 +88,7 @@ TEST(Sensitivity, IsWrittenAsItWasReadAndReadsBack) {
   EXPECT_TRUE(scene_in(scene, scene.environment[0]).sensitivity.empty());
 }
 
-// Seen red, each for itself: with any path allowed; zeros allowed; all told at the array.
+// Seen red, each for itself: with any path allowed; zeros allowed; all reported at the array.
 TEST(Sensitivity, EveryTextOfWhatIsWrong) {
   const std::string only_water =
       ": only the water, the bed, a film of oil and the air may differ, since the histories are "
@@ -185,12 +185,12 @@ TEST(Sensitivity, StepsBeyondARangeAndPathsTwice) {
 void find_green_fault(const Scene& scene, Findings& findings) {
   if (scene.sea.layer[0].chlorophyll_mg_m3 > 0.10005)
     findings.add("source.wavelength_nm", "too green", "another laser");
-  findings.remark("sea.layer.0", "told of every water");
+  findings.remark("sea.layer.0", "true of every water");
 }
 
 // Seen red, each for itself: with the optics not asked; steps made though the laser is wrong; paths
 // followed though the water is.
-TEST(Sensitivity, IsToldWithAllElse) {
+TEST(Sensitivity, IsReportedWithAllElse) {
   EXPECT_EQ(diagnostics_of(deriving("'sea.layer.0.chlorophyll_mg_m3'"), {}, find_green_fault),
             (Texts{"scene.toml:1:16: no step of 'sea.layer.0.chlorophyll_mg_m3' to 0.1001 can be "
                    "made: too green (another laser)"}));

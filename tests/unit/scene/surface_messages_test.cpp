@@ -150,8 +150,8 @@ const std::vector<Wrong>& wrong_surfaces() {
   return all;
 }
 
-// Seen red, each for itself: keys of the flat sea told where the model is none; "slick" without a
-// word of its key; without each condition of check_surface.cpp; texts taken for true.
+// Seen red, each for itself: keys of the flat sea reported where the model is none; "slick" without
+// a word of its key; without each condition of check_surface.cpp; texts taken for true.
 TEST(Surface, EveryTextWithLineAndColumn) {
   for (const Wrong& c : wrong_surfaces()) {
     SCOPED_TRACE(c.name);

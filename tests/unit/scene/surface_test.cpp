@@ -26,9 +26,9 @@ TEST(Surface, HasTheDefaultsOfItsModel) {
   EXPECT_EQ(sea.whitecap_reflectance, WhitecapReflectance::koepke1984);
 }
 
-// What is on by default is filled in, for effective scenes to tell it. Seen red: without that; with
+// What is on by default is filled in, for effective scenes to show it. Seen red: without that; with
 // whitecaps of slicks.
-TEST(Surface, TellsWhetherThereAreWhitecaps) {
+TEST(Surface, SaysWhetherThereAreWhitecaps) {
   const auto whitecaps = [](const std::string& keys) { return surface_of(keys).whitecaps; };
   const std::string sea = waves, calm = R"(model = "cox-munk", wind_speed_m_s = 0)";
   const std::string paper = R"(model = "paper", wind_speed_m_s = 5)";
@@ -91,10 +91,10 @@ TEST(Surface, IsReachedBySet) {
 
 // --- Environments and derivatives ----------------------------------------------------------------
 
-// The first difference is told, not what follows from it. Seen red: with all keys told; with the
-// wind left out.
+// The first difference is reported, not what follows from it. Seen red: with all keys reported;
+// with the wind left out.
 TEST(Surface, DiffersBySlopesAndWhitecapsAlone) {
-  const auto told = [](const std::string& changes) {
+  const auto reported = [](const std::string& changes) {
     return diagnostics_of(edited(with_surface(waves)) + "[[environment]]\nset = { " + changes +
                           " }\n");
   };
@@ -104,24 +104,25 @@ TEST(Surface, DiffersBySlopesAndWhitecapsAlone) {
                  ": it bends the light, whose histories are the same in all environments (simulate "
                  "that in a scene of its own)"};
   };
-  EXPECT_EQ(told(R"("sea.surface.wind_speed_m_s" = 5.0, "sea.surface.slick" = false)"), Texts{});
-  EXPECT_EQ(told(R"("sea.surface.whitecaps" = true)"), Texts{});
-  EXPECT_EQ(told(R"("sea.surface.wind_speed_m_s" = 6)"), Texts{});
-  EXPECT_EQ(told(R"("sea.surface.wind_speed_m_s" = 0)"), Texts{});
-  EXPECT_EQ(told(R"("sea.surface.wind_direction_deg" = 90)"),
+  EXPECT_EQ(reported(R"("sea.surface.wind_speed_m_s" = 5.0, "sea.surface.slick" = false)"),
+            Texts{});
+  EXPECT_EQ(reported(R"("sea.surface.whitecaps" = true)"), Texts{});
+  EXPECT_EQ(reported(R"("sea.surface.wind_speed_m_s" = 6)"), Texts{});
+  EXPECT_EQ(reported(R"("sea.surface.wind_speed_m_s" = 0)"), Texts{});
+  EXPECT_EQ(reported(R"("sea.surface.wind_direction_deg" = 90)"),
             other("wind_direction_deg", "0", "90"));
-  EXPECT_EQ(told(R"("sea.surface.slick" = true)"), Texts{});
-  EXPECT_EQ(told(R"("sea.surface.gram_charlier" = false)"),
+  EXPECT_EQ(reported(R"("sea.surface.slick" = true)"), Texts{});
+  EXPECT_EQ(reported(R"("sea.surface.gram_charlier" = false)"),
             other("gram_charlier", "true", "false"));
-  EXPECT_EQ(told(R"("sea.surface.whitecaps" = false)"), Texts{});
-  EXPECT_EQ(told(R"("sea.surface.whitecap_fraction" = 0.1)"), Texts{});
-  EXPECT_EQ(told(R"("sea.surface.whitecap_law" = "stramska2003")"), Texts{});
-  EXPECT_EQ(told(R"("sea.surface.whitecap_reflectance" = "frouin1996")"),
+  EXPECT_EQ(reported(R"("sea.surface.whitecaps" = false)"), Texts{});
+  EXPECT_EQ(reported(R"("sea.surface.whitecap_fraction" = 0.1)"), Texts{});
+  EXPECT_EQ(reported(R"("sea.surface.whitecap_law" = "stramska2003")"), Texts{});
+  EXPECT_EQ(reported(R"("sea.surface.whitecap_reflectance" = "frouin1996")"),
             other("whitecap_reflectance", "text \"koepke1984\"", "text \"frouin1996\""));
-  EXPECT_EQ(told(R"("sea.surface" = { model = "flat" })"),
+  EXPECT_EQ(reported(R"("sea.surface" = { model = "flat" })"),
             other("model", "text \"cox-munk\"", "text \"flat\""));
   EXPECT_EQ(
-      told(
+      reported(
           R"("sea.surface" = { model = "gaussian", upwind_slope_variance = 0.1, crosswind_slope_variance = 0 })"),
       other("model", "text \"cox-munk\"", "text \"gaussian\""));
 }
@@ -219,7 +220,7 @@ TEST(Surface, KeysOfSeveralModelsHaveOneConditionInTheSchema) {
             json({"upwind_slope_variance", "crosswind_slope_variance"}));
 }
 
-// What the bidirectional estimator cannot do is told before a run.
+// What the bidirectional estimator cannot do is reported before a run.
 TEST(Surface, WhatTheBidirectionalEstimatorHasNot) {
   Scene scene = read_text(edited(with_surface(waves)));
   EXPECT_EQ(bidirectional_lacks(scene), std::nullopt);

@@ -169,7 +169,7 @@ TEST(UnitsOfAProfile, ThatAreNotUnderstoodAreRefused) {
              "of mass per volume are understood, as \"mg m-3\" and \"ug/l\")"}));
 }
 
-TEST(UnitsOfAProfile, ThatAreMissingAreTold) {
+TEST(UnitsOfAProfile, ThatAreMissingAreReported) {
   WrittenFiles files("units_missing");
   write_depths(files, {0, 20}, {1, 2});
   files.netcdf["CHLA"].units = "";

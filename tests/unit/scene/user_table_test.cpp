@@ -109,7 +109,7 @@ TEST_F(UserTableTest, AnotherTableIsAnotherScene) {
                                       "an array of 6", "one with 6 other values"}}));
 }
 
-TEST_F(UserTableTest, WhatIsWrongIsToldAtItsPlace) {
+TEST_F(UserTableTest, WhatIsWrongIsReportedAtItsPlace) {
   EXPECT_EQ(files_.problems(phase("7")),
             Texts{"scene.toml:25:44: 'file' must be a file or a table, not 7 (name a CSV file, or "
                   "write { angle_deg = [ … ], … })"});

@@ -17,7 +17,7 @@ double total_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// By gate, as often as each is told.
+/// By gate, as often as each is named.
 std::array<double, 4> shares_of(double lifetime_ns, const Gates& gates, double path) {
   std::vector<GateShare> shares;
   Decay(lifetime_ns, gates).spread(path, gates, shares);

@@ -65,8 +65,8 @@ TEST(Flags, LargeError) {
   EXPECT_EQ(flags(t), 0);  // 1 / sqrt(103) is below a tenth
 }
 
-// One score of 2.5 % of the echo is told, and no flag: it picks runs that lack it.
-TEST(Flags, ALargeScoreIsTold) {
+// One score of 2.5 % of the echo is reported, and no flag: it picks runs that lack it.
+TEST(Flags, ALargeScoreIsReported) {
   Tallies t;
   add_batches(t, 63, 50, steady);
   t.score(0, 0.025 * 64e-3);
@@ -128,14 +128,14 @@ void add_pareto(Tallies& t, int batches, double index, test::Random& random) {
   }
 }
 
-/// Standard error of gate 0 as it is told, over that of the batches alone.
+/// Standard error of gate 0 as it is reported, over that of the batches alone.
 double widening(const Tallies& t) {
   const Counted n = t.totals.counted(0);
   const Sums& echo = t.totals.state().echo[0].low;
   return t.result().echo.standard_error[0] / standard_error(echo, n);
 }
 
-// What has not been seen of scores that fall off slowly is in the error that is told; of others it
+// What has not been seen of scores that fall off slowly is in the reported error; of others it
 // is little. Seen red: with the index of the tail greater by 1, or less by 0.5; without the unseen
 // in the error.
 TEST(Flags, HeavyTail) {
@@ -178,7 +178,7 @@ TEST(Flags, HeavyTailAboveOneError) {
 }
 
 // Batches of even points differ so little that any score is many errors. Where it would be no more
-// than a thousandth of the echo, it is in the error that is told, and raises no flag. Seen red:
+// than a thousandth of the echo, it is in the reported error, and raises no flag. Seen red:
 // with a ten thousandth; with a hundredth.
 TEST(Flags, HeavyTailIsNoNegligiblePart) {
   for (const int scores : {40, 80}) {
@@ -210,7 +210,7 @@ TEST(Flags, HeavyTailDoesNotPickRunsThatLackLargeScores) {
   EXPECT_GT(covered, 0.88 * passed);
 }
 
-// Too few scores to tell how they are distributed.
+// Too few scores to know how they are distributed.
 TEST(Flags, HeavyTailOfFewScores) {
   Tallies t;
   add_batches(t, 64, 1, steady);
@@ -228,7 +228,7 @@ void add_beside_quiet_scores(Tallies& t, double index, int scores, test::Random&
   }
 }
 
-// The largest scores of a gate may be those of walks that tell nothing of what others are to find.
+// The largest scores of a gate may be those of walks that say nothing of what others are to find.
 // Most runs are flagged; in others a large score has come, which is in the error. Seen red: with
 // the octaves of all walks together, and so where one kind, here no walk, has none.
 TEST(Flags, HeavyTailOfSomeWalksIsNotHiddenByOthers) {

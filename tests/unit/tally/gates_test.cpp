@@ -96,14 +96,14 @@ void expect_depths_as_asked(double height, double tilt_deg, const std::vector<me
 
 // Paths round: of 24 m to 4e-15, of those from 705 km to 2e-10. Seen red: with depth() of the
 // edge's path, 2e-16 or -1e-10 for 0; with digits for 24 m from everywhere.
-TEST(DepthGates, AreToldWithoutTheRoundingOfPaths) {
+TEST(DepthGates, AreGivenWithoutTheRoundingOfPaths) {
   for (const double height : {0.3, 12.0, 11.7, 300.0, 9000.0, 705e3})
     for (const double tilt : {0.0, 15.0, 40.0})
       for (const auto& in : {lines(), lines_in_air()}) expect_depths_as_asked(height, tilt, in);
 }
 
 // Of other light the depths are no decimals. Seen red: rounded to millimetres.
-TEST(DepthGates, AreToldInAllTheirDigits) {
+TEST(DepthGates, AreGivenInAllTheirDigits) {
   const Gates gates(with_depth_gates(-5, 5, 1), lines());
   for (std::int32_t edge = 0; edge <= 10; ++edge)
     EXPECT_NEAR(gates.edge_depth(edge, 0, lines()[1]),
@@ -231,7 +231,7 @@ TEST(TimeGates, AreTimes) {
   ASSERT_EQ(gates.count(), 40);
   EXPECT_NEAR(gates.edge_path(0), 29.9792458, 1e-10);
   EXPECT_NEAR(gates.edge_path(40), 149.896229, 1e-10);
-  // An instrument that looks down tells the depth that belongs to a time.
+  // An instrument that looks down returns the depth that belongs to a time.
   EXPECT_FALSE(gates.depth_is_range());
   EXPECT_NEAR(gates.depth(149.896229, 0, lines()[0]), (149.896229 - 24) / 2 / 1.3638, 1e-9);
   scene.telescope[0].direction = {1, 0, -0.9};

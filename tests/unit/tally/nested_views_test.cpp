@@ -16,7 +16,7 @@ Shape shape_of_four(bool nested) {
   if (nested) shape.wider = {std::nullopt, 0, std::nullopt, 1};
   return shape;
 }
-/// Who sees what a telescope sees.
+/// The telescopes that see what a telescope sees.
 const std::array<std::vector<std::size_t>, 4> seen_by{{{0}, {1, 0}, {2}, {3, 1, 0}}};
 
 /// Scores of the same kind in both: given to the narrowest telescope, or to each that sees them.
@@ -80,7 +80,7 @@ void expect_same(TotalsState a, const TotalsState& b) {
 }
 
 // Seen red: with telescopes taken in the order of the scene; with any of the sums left out; with
-// depths that are touched not told.
+// depths that are touched not reported.
 TEST(NestedViews, AreScoredAsIfEachWereAlone) {
   Tallies nested(shape_of_four(true)), each(shape_of_four(false));
   test::Random random(7);
@@ -96,7 +96,7 @@ TEST(NestedViews, AreScoredAsIfEachWereAlone) {
 }
 
 // What the narrow one alone has scored is in the wide ones' tallies, too, and gone when cleared.
-// Seen red: with cells that are touched not told.
+// Seen red: with cells that are touched not reported.
 TEST(NestedViews, OfWhichTheWideOnesScoredNothing) {
   Tallies nested(shape_of_four(true)), each(shape_of_four(false));
   test::Random random(8);

@@ -65,7 +65,7 @@ TEST(Sensitivity, AndItsErrorAreThoseOfTheResiduals) {
   Tangent t(-0.2);
   double echo = 0, change = 0, photons = 0;
   for (const ChangedSample& s : batches) {
-    t.add(s.echo, s.change);  // too few in all to tell what has not been seen
+    t.add(s.echo, s.change);  // too few in all to know what has not been seen
     t.end_batch(static_cast<std::uint64_t>(s.photons));
     echo += s.echo;
     change += s.change;

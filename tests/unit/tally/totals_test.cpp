@@ -56,7 +56,7 @@ TEST(Totals, HaveTheMeansAndErrorsOfTheirBatches) {
     const auto batches = random_batches(57, last);
     Tallies t;
     for (const Sample& b : batches) {
-      t.score(2, b.score);  // too few in all to tell what has not been seen
+      t.score(2, b.score);  // too few in all to know what has not been seen
       t.end_batch(b.photons);
     }
     const Result r = t.result();

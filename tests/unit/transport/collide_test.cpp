@@ -49,7 +49,7 @@ TEST(Collide, ConvertsLightOnlyOnce) {
   EXPECT_EQ(raman[2], 0);
 }
 
-TEST(Collide, TellsWhereTheLightGoesFromThere) {
+TEST(Collide, ReturnsWhereTheLightGoesFromThere) {
   const auto sea = make_sea(40);
   Photon<double> scattered;
   scattered.layer = 1;

@@ -29,7 +29,7 @@ scene::Telescope wide_telescope(const V& position, const V& direction) {
   return t;
 }
 
-/// The share of light that crosses the surface, told by light on its way down.
+/// The share of light that crosses the surface, measured by light on its way down.
 double transmittance_downward(const Sea& sea, std::int32_t line, const V& rising_in_air) {
   Photon<double> photon;
   photon.line = line;

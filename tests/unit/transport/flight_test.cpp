@@ -152,7 +152,7 @@ TEST(Fly, HasTheFreePathsOfThreeLayers) {
   family.judge();
 }
 
-TEST(Advance, MovesAcrossLayersAndTellsWhereTheWaterEnds) {
+TEST(Advance, MovesAcrossLayersAndReturnsWhereTheWaterEnds) {
   const auto sea = make_sea(25);
   const V slanted{0.6, 0, -0.8};
   const auto moved = [&](double from, const V& direction, double distance, bool& in_water) {
