@@ -74,10 +74,10 @@ void connection(benchmark::State& state) {
   Setting s;
   s.photon.position.x = 0.1 * static_cast<double>(state.range(0));
   for (auto _ : state) {
-    const bool near_view =
+    const bool may_be_seen =
         transport::may_see(s.world.sea, s.world.telescopes[0], s.photon.position, 0);
     benchmark::DoNotOptimize(transport::connect_through_surface(s.world.sea, s.world.telescopes[0],
-                                                                s.photon, 0, near_view));
+                                                                s.photon, 0, may_be_seen));
   }
 }
 BENCHMARK(connection)->Arg(0)->Arg(2)->Arg(50);

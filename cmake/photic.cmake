@@ -121,12 +121,12 @@ function(photic_test_headers)
                             <algorithm> <cmath> <filesystem> <functional> <map> <optional> <random> <string> <vector>)
 endfunction()
 
-# photic_test(name SOURCES a.cpp … USES core … [LONG_LOOPS] [ENGINE] [NOT_SANITIZED filter] [LONG filter])  → one test
-# program; ctest knows each of its tests, under their folder in tests/ as label (ctest -L unit); target tests_unit builds all in
-# tests/unit. More labels: engine, of tests that run lanes and so run in a release, too; not_sanitized, of those that would follow
-# histories for a minute or more with sanitizers; long, of those that ./test quick leaves out. A filter is that of GoogleTest.
+# photic_test(name SOURCES a.cpp … USES core … [LONG_LOOPS] [ENGINE] [NOT_SANITIZED filter])  → one test program; ctest knows each
+# of its tests, under their folder in tests/ as label (ctest -L unit); target tests_unit builds all in tests/unit. More labels:
+# engine, of tests that run lanes and so run in a release, too; not_sanitized, of those that would follow histories for a minute or
+# more with sanitizers, by a filter of GoogleTest.
 function(photic_test name)
-  cmake_parse_arguments(ARG "LONG_LOOPS;ENGINE" "TIMEOUT;NOT_SANITIZED;LONG" "SOURCES;USES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "LONG_LOOPS;ENGINE" "TIMEOUT;NOT_SANITIZED" "SOURCES;USES;LINKS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
@@ -148,20 +148,15 @@ function(photic_test name)
   if(ARG_ENGINE)
     list(APPEND labels engine)
   endif()
-  set(apart ${ARG_NOT_SANITIZED} ${ARG_LONG})
-  list(JOIN apart ":" apart)
   set(set_labels "")
-  foreach(part LONG NOT_SANITIZED REST)
-    set(filter "${ARG_${part}}")
+  foreach(part NOT_SANITIZED REST)
+    set(filter "${ARG_NOT_SANITIZED}")
+    set(all ${labels} not_sanitized)
     if(part STREQUAL "REST")
-      set(filter "-${apart}")
+      set(filter "-${ARG_NOT_SANITIZED}")
+      set(all ${labels})
     elseif(filter STREQUAL "")
       continue()
-    endif()
-    set(all ${labels})
-    if(NOT part STREQUAL "REST")
-      string(TOLOWER ${part} more)
-      list(APPEND all ${more})
     endif()
     # gtest_discover_tests takes no lists.
     gtest_discover_tests(${name} TEST_FILTER "${filter}" TEST_LIST ${name}_${part} DISCOVERY_TIMEOUT 60

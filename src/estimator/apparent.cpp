@@ -11,7 +11,7 @@ namespace {
 /// Moves one instrument; returns the factor of its angles.
 template <class Instrument>
 double put_where_it_seems(const medium::Air& air, Instrument& instrument,
-                          geometry::TooLong& too_long) {
+                          geometry::ApparentPath& apparent_path) {
   Vec3<double>& at = instrument.position_m;
   const auto axis = normalised(instrument.direction);
   const double height = at.z;
@@ -23,24 +23,24 @@ double put_where_it_seems(const medium::Air& air, Instrument& instrument,
       std::sqrt(1 - bent.cosine * bent.cosine) * level - Vec3<double>{0, 0, bent.cosine};
   at = Vec3<double>{at.x, at.y, 0} + bent.aside_m * level - bent.apparent_distance_m * seen;
   instrument.direction = seen;
-  too_long.group_path.push_back(bent.apparent_distance_m +
-                                medium::delay_of(air, 0).to(height) / bent.cosine -
-                                bent.group_path_m);
-  too_long.length.push_back(bent.apparent_distance_m - bent.length_m);
+  apparent_path.group_path.push_back(bent.apparent_distance_m +
+                                     medium::delay_of(air, 0).to(height) / bent.cosine -
+                                     bent.group_path_m);
+  apparent_path.length.push_back(bent.apparent_distance_m - bent.length_m);
   return bent.apparent_angle;
 }
 
 }  // namespace
 
-geometry::TooLong put_where_they_seem(const medium::Air& air, scene::Scene& scene) {
-  geometry::TooLong too_long;
-  scene.source.half_divergence_mrad *= put_where_it_seems(air, scene.source, too_long);
+geometry::ApparentPath put_where_they_seem(const medium::Air& air, scene::Scene& scene) {
+  geometry::ApparentPath apparent_path;
+  scene.source.half_divergence_mrad *= put_where_it_seems(air, scene.source, apparent_path);
   for (scene::Telescope& t : scene.telescope) {
     const double detector = t.effective_detector_diameter_m();
-    t.detector_diameter_m = detector * put_where_it_seems(air, t, too_long);
+    t.detector_diameter_m = detector * put_where_it_seems(air, t, apparent_path);
     t.half_field_of_view_mrad.reset();
   }
-  return too_long;
+  return apparent_path;
 }
 
 }  // namespace photic::estimator

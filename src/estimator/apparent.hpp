@@ -17,6 +17,6 @@ struct Instruments {
 
 /// Puts the instruments of a scene where they seem to stand, each by its own axis, with views and
 /// beams as wide as they come to the sea (medium/bent_axis.hpp).
-geometry::TooLong put_where_they_seem(const medium::Air& air, scene::Scene& scene);
+geometry::ApparentPath put_where_they_seem(const medium::Air& air, scene::Scene& scene);
 
 }  // namespace photic::estimator

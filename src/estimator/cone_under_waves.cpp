@@ -28,7 +28,7 @@ double share_of_several(const medium::MediumView& sea, const Vec3<double>& outsi
     photon.direction = outside;
     const auto draw = [&](std::uint32_t block) { return uniforms<double>(key, n, 0, block); };
     const auto met = light_by_facets(surface, photon, true, true, Facets::any, draw,
-                                     [](bool, const surface::Meeting<double>&) {});
+                                     [](bool, const surface::FacetHit<double>&) {});
     if (met.in_water && met.several) sum += std::min(photon.weight, 10.0);
   }
   return sum / rays;

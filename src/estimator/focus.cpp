@@ -35,7 +35,7 @@ double apparent_distance(const Model& model, std::size_t t, double place) {
   const auto axis = geometry::axis_in_water(lens.position_m, normalised(lens.direction),
                                             model.medium.line.front().refractive_index);
   const bool is_range = model.gates.depth_is_range();
-  const double beyond = is_range ? place - (axis.in_air - model.too_long.range(t))
+  const double beyond = is_range ? place - (axis.in_air - model.apparent_path.range(t))
                                  : (place + axis.entry.z) / -axis.direction.z;
   if (!to_sea) return beyond;
   if (beyond > 0) return *to_sea + beyond / axis.index;

@@ -77,7 +77,7 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   shape.gates = static_cast<std::size_t>(gates.count());
   shape.max_order = static_cast<std::int32_t>(scene.simulation.max_order.value_or(0));
   if (scene.simulation.estimator == scene::Estimator::bidirectional)
-    shape.walked = tally::kinds_of_walked;
+    shape.techniques = tally::kinds_of_technique;
   shape.environments = scene.environment.size() + scene.sensitivity.size();
   shape.wider.resize(shape.telescopes);
   for (const NestedViews& views : nested_views(scene))
@@ -208,8 +208,8 @@ Model make_model(const scene::Scene& scene) {
   check_instruments(scene, medium);
   auto air = medium::build_air(scene, medium.line);
   auto tables = air ? air_tables_of(scene, *air) : std::vector<AirTables>{};
-  auto others = air && scene.compares() ? medium::other_airs(scene, medium.line)
-                                        : std::vector<medium::OtherAir>{};
+  auto others = air && scene.has_environments() ? medium::other_airs(scene, medium.line)
+                                                : std::vector<medium::OtherAir>{};
   if (!others.empty()) {
     medium.environments.excess_air = medium::excess_depths(others, heights_of(scene));
     medium.finish();
@@ -217,12 +217,12 @@ Model make_model(const scene::Scene& scene) {
   for (std::size_t l = 0; air && l < medium.line.size(); ++l)
     medium.line[l].air_delay = medium::delay_of(*air, l);
   scene::Scene effective = scene;
-  geometry::TooLong too_long;
+  geometry::ApparentPath apparent_path;
   if (air && scene.atmosphere->refraction) {
-    too_long = put_where_they_seem(*air, effective);
+    apparent_path = put_where_they_seem(*air, effective);
     medium::count_against_vacuum(*air, medium);
   }
-  tally::Gates gates(effective, medium.line, too_long);
+  tally::Gates gates(effective, medium.line, apparent_path);
   auto shape = make_shape(scene, medium, air.has_value(), gates);
   if (scene.simulation.estimator == scene::Estimator::bidirectional)
     effective.simulation.walk_attenuation = walk_attenuation_in(medium, scene.simulation);
@@ -243,7 +243,7 @@ Model make_model(const scene::Scene& scene) {
           std::move(air),
           std::move(tables),
           std::move(others),
-          std::move(too_long),
+          std::move(apparent_path),
           {scene.source, scene.telescope}};
 }
 

@@ -49,7 +49,7 @@ struct Model {
   /// Between the sea and the laser, and each telescope; none where the air is clear.
   std::vector<AirTables> air_tables;
   std::vector<medium::OtherAir> other_airs;  ///< of scenes with air and environments
-  geometry::TooLong too_long;
+  geometry::ApparentPath apparent_path;
   Instruments as_given;  ///< as in the scene file
 };
 

@@ -133,7 +133,7 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
   out.rotated_scattered = out.rotated;
   out.rotated_scattered.name += ", of light that is not converted";
   // The effect of environments on the angle that a rotation changes is not known apart.
-  if (out.rotated.used && scene.compares())
+  if (out.rotated.used && scene.has_environments())
     out.rotated_scattered = off(out.rotated_scattered.name,
                                 "environments or derivatives are requested, for which the angle "
                                 "that this changes is not recorded");

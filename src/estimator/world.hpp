@@ -127,7 +127,7 @@ struct World {
   T min_group_index{};                      ///< of all lines
   T directed{};                             ///< share of directions drawn towards a telescope
   bool directs = false;                     ///< true if any are
-  bool compares = false;                    ///< there are environments
+  bool has_environments = false;            ///< there are environments
   InverseConversion<T> inverse_conversion;  ///< of conversions, by walks from telescopes
   T conversion{};              ///< probability of a branch into the inelastic processes
   bool single_rays = false;    ///< local estimates take one point of the lens instead of its mean
@@ -181,9 +181,9 @@ struct AllEvents {
 
 /// Returns whether there are environments.
 template <class Events, class T>
-bool compares(const World<T>& world) {
+bool has_environments(const World<T>& world) {
   if constexpr (Events::variations) {
-    return world.compares;
+    return world.has_environments;
   } else {
     return false;
   }
@@ -269,7 +269,7 @@ inline bool spreads_evenly(const scene::Scene& scene) {
       std::ranges::all_of(scene.telescope, [](const auto& t) { return t.position_m.z >= 0; });
   return asked.sampling == scene::Sampling::quasi_random &&
          (asked.estimator == scene::Estimator::bidirectional ||
-          (asked.estimator == scene::Estimator::forward && !scene.compares() && in_air));
+          (asked.estimator == scene::Estimator::forward && !scene.has_environments() && in_air));
 }
 
 /// The greatest rounding error of paths in the air between an instrument and the sea [m], by which
@@ -284,7 +284,7 @@ double max_rounded_off(const Instrument& instrument, const medium::Medium& air) 
 
 template <class T>
 World<T> make_world(const Model& model) {
-  const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables, others, too_long,
+  const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables, others, apparent_path,
                as_given] = model;
   World<T> world;
   world.estimator = scene.simulation.estimator;
@@ -314,7 +314,8 @@ World<T> make_world(const Model& model) {
         path_to_origin(laser_ahead, from_origin(t, origin), world.telescopes.back().above_air);
     if (medium.upside_down)
       left_out += max_rounded_off<T>(scene.source, medium) + max_rounded_off<T>(t, medium);
-    world.path_to_origin.push_back(left_out - too_long.both_paths(world.path_to_origin.size()));
+    world.path_to_origin.push_back(left_out -
+                                   apparent_path.both_paths(world.path_to_origin.size()));
     world.telescope_region.push_back(region(t, world.telescopes.size()));
   }
   add_groups(scene, world);
@@ -323,8 +324,8 @@ World<T> make_world(const Model& model) {
   const bool connects = world.estimator == scene::Estimator::bidirectional;
   world.weight_threshold = T(connects ? min_weight : tools.weight_threshold);
   world.tools = make_tools<T>(tools);
-  world.compares = scene.compares();
-  world.all_events = world.compares || tools.any();
+  world.has_environments = scene.has_environments();
+  world.all_events = world.has_environments || tools.any();
   if (!world.tools.scores_on_the_way)
     world.scored_points = static_cast<std::int32_t>(scene::scored_points_in(scene));
   for (std::size_t g = 0; (converts || world.tools.scores_on_the_way) && g < world.groups.size();
@@ -343,7 +344,7 @@ World<T> make_world(const Model& model) {
     greatest = std::max(greatest, line.group_index);
   }
   world.min_group_index = T(least);
-  const double last_path = gates.last_path() + too_long.max_of_both();
+  const double last_path = gates.last_path() + apparent_path.max_of_both();
   const Reach reach = reach_of(scene, medium, last_path, least);
   world.deepest = T(reach.deepest);
   world.averaged = model.averaged.view();

@@ -62,7 +62,7 @@ inline AxisInWater axis_in_water(const Vec3<double>& position, const Vec3<double
 /// The excess length of the axes of the laser and each telescope [m], from where they seem to stand
 /// to the sea, in air that bends light; else none. Instruments are simulated where they seem to
 /// stand.
-struct TooLong {
+struct ApparentPath {
   std::vector<double> group_path, length;
 
   /// The excess of the laser's axis and a telescope's together.

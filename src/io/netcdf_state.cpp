@@ -205,7 +205,7 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
       {"sum", 2},
       {"row_count", 4},
       {"tail_sum", 8},
-      {"walked", shape.walked},
+      {"walked", shape.techniques},
       {"octave", tally::score_octaves},
       {"other_water", shape.environments},
       {"environment_sum", environment_fields},

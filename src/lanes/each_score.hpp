@@ -19,7 +19,7 @@ struct LaneScores {
   double path_to_origin = 0;  ///< the length that the paths leave out (estimator/world.hpp) [m]
   Index<T> light{}, order{};
   T depth{}, path{}, value{};
-  tally::Walked walked = tally::Walked::none;
+  tally::Technique technique = tally::Technique::none;
 };
 
 /// Their whole paths, in double.
@@ -34,8 +34,8 @@ template <class T, class Act>
 void each_score(const tally::BatchTally& tally, const Mask<T>& mask, const LaneScores<T>& scores,
                 Act act) {
   const auto wide_path = whole_path(scores), wide_depth = to_double(scores.depth);
-  const auto places = tally.places(wide_path, wide_depth);
-  const auto gates = each_lane(places.gate), cells = each_lane(places.depth);
+  const auto bins = tally.bins(wide_path, wide_depth);
+  const auto gates = each_lane(bins.gate), cells = each_lane(bins.depth);
   const auto telescopes = each_lane(scores.telescope);
   const auto lights = each_lane(scores.light), orders = each_lane(scores.order);
   const auto depths = each_lane(wide_depth), paths = each_lane(wide_path),
@@ -44,8 +44,8 @@ void each_score(const tally::BatchTally& tally, const Mask<T>& mask, const LaneS
     const auto i = static_cast<std::size_t>(lane);
     act(i,
         tally::Score{static_cast<std::size_t>(telescopes[i]), lights[i], orders[i], depths[i],
-                     paths[i], values[i], scores.walked},
-        tally::Places<std::int32_t>{gates[i], cells[i]});
+                     paths[i], values[i], scores.technique},
+        tally::Bins<std::int32_t>{gates[i], cells[i]});
   });
 }
 
@@ -60,12 +60,12 @@ class ScoreQueue {
   /// Adds the lanes of a mask; hands all to the tally when the queue is full.
   void push(const Mask<T>& mask, const LaneScores<T>& scores, tally::BatchTally& tally) {
     const auto path = whole_path(scores);
-    const auto places = tally.places(path, to_double(scores.depth));
+    const auto bins = tally.bins(path, to_double(scores.depth));
     if constexpr (lanes == 1) {
       if (mask)
         tally.score({static_cast<std::size_t>(scores.telescope), scores.light, scores.order,
-                     scores.depth, path, scores.value, scores.walked},
-                    places);
+                     scores.depth, path, scores.value, scores.technique},
+                    bins);
     } else {
       const std::size_t at = waiting_;
       if (nested_) compress(mask, scores.telescope, &narrowest_[at]);
@@ -74,10 +74,10 @@ class ScoreQueue {
       compress(mask, scores.depth, &depth_[at]);
       compress(mask, scores.path, &path_[at]);
       compress(mask, scores.value, &value_[at]);
-      compress(mask, places.gate, &gate_[at]);
-      compress(mask, places.depth, &cell_[at]);
+      compress(mask, bins.gate, &gate_[at]);
+      compress(mask, bins.depth, &cell_[at]);
       const std::size_t more = count(mask);
-      std::fill_n(&walked_[at], more, scores.walked);
+      std::fill_n(&walked_[at], more, scores.technique);
       waiting_ = at + more;
       if (waiting_ > capacity) flush(tally);
     }
@@ -111,7 +111,7 @@ class ScoreQueue {
   bool nested_;
   Column<std::int32_t> narrowest_{};  ///< telescope that sees a score; of nested views
   Column<std::int32_t> light_{}, order_{}, gate_{}, cell_{};
-  Column<tally::Walked> walked_{};
+  Column<tally::Technique> walked_{};
   Column<Element<T>> depth_{}, path_{}, value_{};
   std::size_t waiting_ = 0;
 };

@@ -124,7 +124,7 @@ std::vector<Variation> variations_of(const scene::Scene& scene, const LayerCoeff
 }  // namespace
 
 void add_environments(const scene::Scene& scene, const optics::Library& library, Medium& medium) {
-  if (!scene.compares()) return;
+  if (!scene.has_environments()) return;
   PhaseTables tables(medium);
   const LayerCoefficients reference = waters_of("", scene, library, medium, tables);
   const auto variations = variations_of(scene, reference, library, medium, tables);
@@ -147,7 +147,7 @@ void check_environments(const scene::Scene& scene, const optics::Library& librar
   const auto known = [](const auto& list, auto sea) {
     return list.empty() || !sea(list.front()).layer.empty();
   };
-  if (!scene.compares() ||
+  if (!scene.has_environments() ||
       !known(scene.environment, [](const auto& e) -> auto& { return e.sea; }) ||
       !known(scene.sensitivity, [](const auto& s) -> auto& { return s.above.sea; }))
     return;

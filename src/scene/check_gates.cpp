@@ -201,7 +201,7 @@ void check_gates(const Scene& scene, Findings& findings) {
 
 void check_estimator(const Scene& scene, Findings& findings) {
   check_tools(scene, findings);
-  if (scene.compares() && scene.simulation.estimator == Estimator::analog &&
+  if (scene.has_environments() && scene.simulation.estimator == Estimator::analog &&
       findings.good({"simulation.estimator"})) {
     findings.add("simulation.estimator",
                  fmt::format("the analog estimator cannot use {}: its photons have no weights",

@@ -112,7 +112,7 @@ void read_on(const Node& document, const Layered& layered, const Check& check, S
     read_sensitivities(document, check, scene, findings);
     read_environments(layered, check, scene, findings);
     check_estimator(scene, findings);
-    if (check && scene.compares() && findings.problems().empty())
+    if (check && scene.has_environments() && findings.problems().empty())
       check_together(document, check, scene, findings);
   } catch (const EnvironmentError&) {
     findings.raise();

@@ -328,7 +328,9 @@ struct Scene {
   std::vector<Environment> environment;
 
   /// Returns whether echoes in other water are to be computed from the same histories.
-  [[nodiscard]] bool compares() const { return !environment.empty() || !sensitivity.empty(); }
+  [[nodiscard]] bool has_environments() const {
+    return !environment.empty() || !sensitivity.empty();
+  }
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 

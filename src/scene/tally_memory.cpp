@@ -22,7 +22,7 @@ constexpr double per_kind_of_batch = 512.0;
 constexpr double per_water = 2 * 168.0 + 2 * 56.0 + 32.0;
 constexpr double per_water_of_batch = 56.0;
 
-/// The number of kinds of scores, at most (tally::kinds_of_walked).
+/// The number of kinds of scores, at most (tally::kinds_of_technique).
 double kinds_in(const Scene& scene) {
   const auto estimator = scene.simulation.estimator;
   return estimator == Estimator::forward || estimator == Estimator::analog ? 1 : 3;

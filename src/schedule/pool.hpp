@@ -43,9 +43,9 @@ class Pool {
   explicit Pool(const estimator::World<T>& world)
       : world_(world),
         ratios_(world.sea.environments, 2 * slots),
-        pack_(packs, estimator::Travellers<T>(world)),
+        pack_(packs, estimator::ForwardTracks<T>(world)),
         reserve_(carried_in(world)),
-        newborn_(packs, estimator::Travellers<T>(world)),
+        newborn_(packs, estimator::ForwardTracks<T>(world)),
         estimates_(world) {
     for (std::size_t k = 0; k < packs; ++k) {
       pack_[k].ratios.paths = newborn_[k].ratios.paths = &ratios_;
@@ -105,14 +105,14 @@ class Pool {
             tally,
             estimates_,
             std::move(draw),
-            [this](estimator::Travellers<T>& gone, std::int32_t copy) {
+            [this](estimator::ForwardTracks<T>& gone, std::int32_t copy) {
               number_anew(gone, copy);
               leave(gone);
             }};
   }
   /// Packs that go through a stage together.
   struct Each {
-    estimator::Travellers<T>* pack;
+    estimator::ForwardTracks<T>* pack;
     std::size_t count;
 
     template <class Stage>
@@ -131,7 +131,7 @@ class Pool {
     estimator::collisions(steps, each);
   }
   /// They draw random numbers of their own.
-  void number_anew(estimator::Travellers<T>& copies, std::int32_t copy) const {
+  void number_anew(estimator::ForwardTracks<T>& copies, std::int32_t copy) const {
     for_each_lane(copies.on, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
       copies.place.photon.set(i, estimator::copy_number(world_.key, copies.place.photon[i],
@@ -180,7 +180,7 @@ class Pool {
       return true;
     }
     if (used_ <= first) return false;
-    estimator::Travellers<T>& last = pack_[--used_];
+    estimator::ForwardTracks<T>& last = pack_[--used_];
     wait(last);
     last.on = last.colliding = Mask<T>(false);
     return true;
@@ -191,11 +191,11 @@ class Pool {
     const auto first = static_cast<std::int32_t>(next_);
     const std::size_t born = std::min(packs, (count_ - next_ + width - 1) / width);
     const Each all{newborn_.data(), born};
-    const auto number_of = [&](const estimator::Travellers<T>& t) {
+    const auto number_of = [&](const estimator::ForwardTracks<T>& t) {
       return first +
              static_cast<std::int32_t>(width) * static_cast<std::int32_t>(&t - newborn_.data());
     };
-    if (estimator::compares<Events>(world_)) {
+    if (estimator::has_environments<Events>(world_)) {
       for (std::size_t i = 0; i < born * width; ++i)
         ratios_.of(newborn_.front().ratios.first + i).begin(world_.sea.environments);
     }
@@ -222,9 +222,9 @@ class Pool {
     fly<Events>(steps, all);
     all([&](auto& t) { wait(t); });
   }
-  void arrive(estimator::Travellers<T>& pack) {
+  void arrive(estimator::ForwardTracks<T>& pack) {
     pack.on = arrivals_->photons.pop(Mask<T>(true), pack);
-    if (!world_.compares) [[likely]]
+    if (!world_.has_environments) [[likely]]
       return;
     std::size_t path = arrivals_->photons.size();
     for_each_lane(pack.on, [&](int lane) {
@@ -233,10 +233,10 @@ class Pool {
     });
   }
   /// Has photons that go on to the other medium wait to be followed there.
-  void leave(estimator::Travellers<T>& gone) {
+  void leave(estimator::ForwardTracks<T>& gone) {
     std::size_t path = passed_->photons.size();
     passed_->photons.push(gone.on, gone);
-    if (!world_.compares) [[likely]]
+    if (!world_.has_environments) [[likely]]
       return;
     for_each_lane(gone.on, [&](int lane) {
       passed_->ratios.copy(world_.sea.environments, ratios_,
@@ -244,14 +244,14 @@ class Pool {
     });
   }
   /// Has the photons on their way in a pack wait.
-  void wait(estimator::Travellers<T>& pack) {
-    if (world_.compares) [[unlikely]]
+  void wait(estimator::ForwardTracks<T>& pack) {
+    if (world_.has_environments) [[unlikely]]
       copy_ratios(pack.ratios.first, pack.on, false);
     reserve_.push(pack.on, pack);
   }
-  PHOTIC_APART PHOTIC_FLATTEN void refill(estimator::Travellers<T>& pack, const Mask<T>& free) {
+  PHOTIC_APART PHOTIC_FLATTEN void refill(estimator::ForwardTracks<T>& pack, const Mask<T>& free) {
     const Mask<T> given = reserve_.pop(free, pack);
-    if (world_.compares) [[unlikely]]
+    if (world_.has_environments) [[unlikely]]
       copy_ratios(pack.ratios.first, given, true);
     pack.on = pack.on | given;
   }
@@ -259,22 +259,22 @@ class Pool {
   /// The copies of photons that were split, each with random numbers of its own, fly and wait.
   void keep_copies(tally::BatchTally& tally) {
     for (std::size_t k = 0; k < used_; ++k) {
-      const estimator::Travellers<T>& pack = pack_[k];
+      const estimator::ForwardTracks<T>& pack = pack_[k];
       std::int32_t i = 0;
       for (Mask<T> more = pack.on & (pack.copies > Index<T>(i)); any(more);
            more = pack.on & (pack.copies > Index<T>(++i)))
         keep_copies(pack, more, i, tally);
     }
   }
-  PHOTIC_APART void keep_copies(const estimator::Travellers<T>& pack, const Mask<T>& mask,
+  PHOTIC_APART void keep_copies(const estimator::ForwardTracks<T>& pack, const Mask<T>& mask,
                                 std::int32_t number, tally::BatchTally& tally) {
-    estimator::Travellers<T>& copies = newborn_.front();
+    estimator::ForwardTracks<T>& copies = newborn_.front();
     const auto ratios = copies.ratios;
     copies = pack;
     copies.ratios = ratios;
     copies.on = mask;
     number_anew(copies, number);
-    if (world_.compares)
+    if (world_.has_environments)
       for_each_lane(mask, [&](int lane) {
         const auto i = static_cast<std::size_t>(lane);
         ratios_.copy(world_.sea.environments, pack.ratios.first + i, ratios.first + i);
@@ -299,16 +299,16 @@ class Pool {
 
   const estimator::World<T>& world_;
   estimator::PathRatios<T> ratios_;  ///< of each slot and each waiting photon, in environments
-  std::vector<estimator::Travellers<T>> pack_;
+  std::vector<estimator::ForwardTracks<T>> pack_;
   std::size_t used_ = 0;                 ///< of the packs, the first ones
   std::array<Mask<T>, packs> before_{};  ///< the photons on their way when an event began
 
   Reserve<T> reserve_;
   Passed* arrivals_ = nullptr;
   Passed* passed_ = nullptr;
-  std::vector<estimator::Travellers<T>> newborn_;  ///< on their first flight
-  std::optional<estimator::Draws<T>> draws_;       ///< of the batch
-  std::uint64_t next_ = 0, count_ = 0;             ///< its photons that have yet to set out
+  std::vector<estimator::ForwardTracks<T>> newborn_;  ///< on their first flight
+  std::optional<estimator::Draws<T>> draws_;          ///< of the batch
+  std::uint64_t next_ = 0, count_ = 0;                ///< its photons that have yet to set out
   lanes::LaneLedger<T> ledger_;
   estimator::Estimates<T> estimates_;
 };

@@ -32,7 +32,7 @@ class Reserve {
   [[nodiscard]] std::size_t size() const { return size_; }
 
   /// Adds the lanes of a mask, in their order.
-  void push(const Mask<T>& mask, estimator::Travellers<T>& from) {
+  void push(const Mask<T>& mask, estimator::ForwardTracks<T>& from) {
     make_room(from);
     std::int32_t* end = word_.data() + size_;
     each_word(from, [&, column = column_](const Index<T>& word) {
@@ -45,7 +45,7 @@ class Reserve {
 
   /// Gives the lanes of a mask to the photons that wait, as far as they go. Returns the lanes
   /// given.
-  Mask<T> pop(const Mask<T>& free, estimator::Travellers<T>& to) {
+  Mask<T> pop(const Mask<T>& free, estimator::ForwardTracks<T>& to) {
     const Mask<T> given = size_ >= count(free) ? free : first_of(free, size_);
     size_ -= count(given);
     const std::int32_t* first = word_.data() + size_;
@@ -60,7 +60,7 @@ class Reserve {
  private:
   /// word = f(word) for all that photons take along.
   template <class F>
-  void each_word(estimator::Travellers<T>& t, F f) {
+  void each_word(estimator::ForwardTracks<T>& t, F f) {
     const auto member = [&]<class M>(M& m) { m = std::bit_cast<M>(f(std::bit_cast<Index<T>>(m))); };
     t.photon.each_member(member);
     member(t.place.event);
@@ -85,7 +85,7 @@ class Reserve {
     return mask_of_bits<T>(first);
   }
   /// For as many more as there are lanes; whole packs are read and written.
-  void make_room(estimator::Travellers<T>& like) {
+  void make_room(estimator::ForwardTracks<T>& like) {
     if (size_ + 2 * lanes_of<T> <= column_) return;
     const std::size_t longer = 2 * size_ + 8 * lanes_of<T>;
     std::size_t columns = 0;

@@ -243,7 +243,7 @@ struct RoughSurface {
 };
 /// Light that has met the surface once.
 template <class T>
-struct Meeting {
+struct FacetHit {
   Slope<T> slope{};      ///< of the facet
   T by_whitecaps{};      ///< share of the light that whitecaps have sent, 0 to 1
   Vec3<T> between{};     ///< in which direction it goes on to another facet; 0: it does not
@@ -264,10 +264,10 @@ FilmCrossing<T> film_crossing(const Index<T>& line, const Mask<T>& in_air, const
 }
 /// The meeting of light from direction k1 to k2, as density() weighs facets and whitecaps.
 template <class T>
-Meeting<T> meeting_of(const RoughSurface<T>& surface, const Mask<T>& in_air, bool reflected,
-                      const Vec3<T>& k1, const Vec3<T>& k2) {
+FacetHit<T> meeting_of(const RoughSurface<T>& surface, const Mask<T>& in_air, bool reflected,
+                       const Vec3<T>& k1, const Vec3<T>& k2) {
   const auto by = surface.facets(in_air, reflected, k1, k2);
-  Meeting<T> out{by.slope, T(0), {}, {}};
+  FacetHit<T> out{by.slope, T(0), {}, {}};
   if (surface.face.oily)
     out.film = film_crossing(surface.line, in_air, Mask<T>(!reflected), k1, k2,
                              facet_of(surface.waves, by.slope).normal);

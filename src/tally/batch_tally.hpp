@@ -55,13 +55,13 @@ struct Score {
   double path = 0;   ///< group path from the laser's disc to the aperture [m], as if emitters
                      ///< gave light back at once
   double value = 0;  ///< expected photons
-  Walked walked = Walked::none;
+  Technique technique = Technique::none;
 };
 
 /// The place of scores: the gate, if their light is emitted at once, and the cell of depth; -1:
 /// none. Integer: an integer, or one in each lane.
 template <class Integer>
-struct Places {
+struct Bins {
   Integer gate{}, depth{};
 };
 
@@ -115,15 +115,15 @@ class BatchTally {
 
   /// Double: one, or one in each lane.
   template <class Double>
-  [[nodiscard]] auto places(const Double& path, const Double& depth) const {
+  [[nodiscard]] auto bins(const Double& path, const Double& depth) const {
     const auto gate = gates_->find(path);
-    return Places<std::remove_const_t<decltype(gate)>>{
+    return Bins<std::remove_const_t<decltype(gate)>>{
         gate, cell_below((depth - Double(depth_min_)) * Double(per_depth_step_), depths_)};
   }
 
-  void score(const Score& s) { score(s, places(s.path, s.depth)); }
+  void score(const Score& s) { score(s, bins(s.path, s.depth)); }
   /// The same of which it is known where it belongs.
-  void score(const Score& s, const Places<std::int32_t>& at) {
+  void score(const Score& s, const Bins<std::int32_t>& at) {
     each_gate(s, at.gate, [&](std::int32_t gate, double part) {
       each_cell(s, gate,
                 [&](std::size_t cell, double share) { add(s, at.depth, cell, part * share); });
@@ -132,7 +132,7 @@ class BatchTally {
   /// The same with environments, in which the score is ratios[e] times as large; there are whole
   /// groups of EnvironmentScores::size of them, the last ones perhaps of no environment.
   template <class Number>
-  void score(const Score& s, const Places<std::int32_t>& at, const Number* ratios) {
+  void score(const Score& s, const Bins<std::int32_t>& at, const Number* ratios) {
     each_gate(s, at.gate, [&](std::int32_t gate, double part) {
       each_cell(s, gate, [&](std::size_t cell, double share) {
         if (!add(s, at.depth, cell, part * share)) return;
@@ -169,7 +169,7 @@ class BatchTally {
   ProfileScores profile;           ///< by depth, if there is one
   ZeroedVector<CellScores> cells;  ///< [cell]
   /// [cell], by the walks that the scores are of. Kinds without a score take no memory.
-  std::array<ZeroedVector<OctavesOfBatch>, kinds_of_walked> octaves;
+  std::array<ZeroedVector<OctavesOfBatch>, kinds_of_technique> octaves;
   std::size_t environment_groups;
   ZeroedVector<EnvironmentScores> environment;            ///< [cell][group of environments]
   std::vector<std::vector<std::uint32_t>> touched_cells;  ///< [row]
@@ -260,7 +260,7 @@ inline bool BatchTally::add(const Score& s, std::int32_t depth, std::size_t cell
     return false;
   }
   here.add(value);
-  ++octaves[kind_of(s.walked)][cell][static_cast<std::size_t>(score_octave(value))];
+  ++octaves[kind_of(s.technique)][cell][static_cast<std::size_t>(score_octave(value))];
   const Light& light = light_[static_cast<std::size_t>(s.light)];
   const std::size_t order = std::min(static_cast<std::size_t>(s.order), last_order_bin_);
   double* const of_cell = &parts[cell * parts_size];

@@ -92,7 +92,7 @@ bool heavy(const Powers& p) { return p.fourth > largest_fourth_share * p.square 
 }  // namespace
 
 std::span<const Octaves> Totals::kinds(std::size_t cell) const {
-  return std::span(state_.octaves).subspan(cell * shape_->walked, shape_->walked);
+  return std::span(state_.octaves).subspan(cell * shape_->techniques, shape_->techniques);
 }
 
 Octaves Totals::octaves(std::size_t cell) const {
@@ -120,11 +120,11 @@ double Totals::unseen_of(std::size_t cell, const Powers& scores) const {
 }
 
 bool Totals::beam_missed(std::size_t cell) const {
-  if (shape_->walked == 1) return false;
+  if (shape_->techniques == 1) return false;
   // Light scattered once the laser's walks find alone, all of it.
   if (shape_->max_order == 1) return false;
-  const Octaves& of_laser = kinds(cell)[kind_of(Walked::laser)];
-  const Octaves& with_telescope = kinds(cell)[kind_of(Walked::both)];
+  const Octaves& of_laser = kinds(cell)[kind_of(Technique::laser)];
+  const Octaves& with_telescope = kinds(cell)[kind_of(Technique::both)];
   if (scores_in(with_telescope) >= min_scores_with_telescope) return false;
   return sum_of(of_laser) + sum_of(with_telescope) > negligible_share * state_.echo[cell].low.x;
 }

@@ -99,11 +99,11 @@ double PathScale::path(double coordinate) const {
 }
 
 Gates::Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines,
-             geometry::TooLong too_long)
+             geometry::ApparentPath apparent_path)
     : source_(scene.source),
       telescope_(scene.telescope),
       laser_(lines.front()),
-      too_long_(std::move(too_long)) {
+      too_long_(std::move(apparent_path)) {
   const auto& interval = scene.gates.interval();
   const bool by_depth = scene.gates.depth_m.has_value();
   const bool by_range = scene.gates.range_m.has_value();

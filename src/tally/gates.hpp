@@ -45,7 +45,7 @@ class Gates {
  public:
   /// The gates of a scene whose light travels in the lines of a medium.
   Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines,
-        geometry::TooLong too_long = {});
+        geometry::ApparentPath apparent_path = {});
 
   [[nodiscard]] std::int32_t count() const { return count_; }
 
@@ -93,7 +93,7 @@ class Gates {
   scene::Source source_;
   std::vector<scene::Telescope> telescope_;
   medium::Line laser_;  ///< its light
-  geometry::TooLong too_long_;
+  geometry::ApparentPath too_long_;
   bool depth_is_range_ = false;
   PathScale scale_;
   double min_ = 0, step_ = 1, max_ = 1;

@@ -24,8 +24,9 @@ struct Shape {
   std::size_t telescopes = 0, channels = 0, gates = 0, environments = 0;
   /// Each holds what of an echo is within its axes; the first one, by order, all of it.
   std::vector<Grid> grids;
-  /// Kinds that scores are counted apart for: kinds_of_walked, or 1 of an estimator without walks.
-  std::size_t walked = 1;
+  /// Kinds that scores are counted apart for: kinds_of_technique, or 1 of an estimator without
+  /// walks.
+  std::size_t techniques = 1;
   std::vector<std::vector<Counting>> channels_of_line;  ///< that count a line's light
   /// Index in the axis of processes, of each light: a line that has touched something
   /// (transport::Touched), [touched][line].

@@ -30,7 +30,7 @@ TotalsState::TotalsState(const Shape& shape)
       echo(shape.cells()),
       cut_order(shape.cells()),
       largest(shape.cells()),
-      octaves(shape.cells() * shape.walked),
+      octaves(shape.cells() * shape.techniques),
       environment(shape.cells() * shape.environments) {
   for (const Grid& grid : shape.grids) grids.emplace_back(shape.cells() * grid.size());
 }

@@ -119,11 +119,11 @@ struct Row {
 
 /// The walks of the bidirectional estimator that a scored path is made of: the laser's alone, the
 /// telescope's alone, or both. None: a history of another estimator, by itself or beside walks.
-enum class Walked : std::int8_t { none, laser, telescope, both };
+enum class Technique : std::int8_t { none, laser, telescope, both };
 /// Kinds that scores are counted apart for: of no walk, of the laser's alone, with a telescope's.
-inline constexpr std::size_t kinds_of_walked = 3;
-inline std::size_t kind_of(Walked walked) {
-  return std::min(static_cast<std::size_t>(walked), kinds_of_walked - 1);
+inline constexpr std::size_t kinds_of_technique = 3;
+inline std::size_t kind_of(Technique technique) {
+  return std::min(static_cast<std::size_t>(technique), kinds_of_technique - 1);
 }
 
 /// Scores are also counted by octave of their size: what shows a heavy tail.

@@ -22,7 +22,7 @@ bool fits(const TotalsState& state, const Shape& shape) {
          std::ranges::equal(state.grids, shape.grids, {}, &ZeroedVector<Sums>::size,
                             [&](const Grid& grid) { return cells * grid.size(); }) &&
          state.cut_order.size() == cells && state.largest.size() == cells &&
-         state.octaves.size() == cells * shape.walked &&
+         state.octaves.size() == cells * shape.techniques &&
          state.environment.size() == cells * shape.environments &&
          state.snapshot_photons.size() == snapshots * shape.rows() &&
          state.snapshot_batches.size() == snapshots * shape.rows() &&
@@ -53,10 +53,10 @@ void Totals::merge_cell(const BatchTally& batch, std::size_t cell) {
   state_.largest[cell] = std::max(state_.largest[cell], scores.largest);
   std::uint64_t rest = scores.scores;
   for (auto k = static_cast<std::size_t>(score_octave(scores.largest)); rest > 0; --k) {
-    for (std::size_t kind = 0; kind < kinds_of_walked; ++kind) {
-      const std::size_t row = std::min(kind, shape_->walked - 1);
+    for (std::size_t kind = 0; kind < kinds_of_technique; ++kind) {
+      const std::size_t row = std::min(kind, shape_->techniques - 1);
       const std::uint32_t count = batch.octaves[kind][cell][k];
-      state_.octaves[cell * shape_->walked + row][k] += count;
+      state_.octaves[cell * shape_->techniques + row][k] += count;
       rest -= count;
     }
   }

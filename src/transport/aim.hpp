@@ -17,13 +17,13 @@ struct Aim {
 };
 
 /// To a point of the lens by a route to where the telescope stands. The refracted direction is
-/// known to a few per cent of its angle where the telescope cannot see the point: `near_view`, see
-/// may_see().
+/// known to a few per cent of its angle where the telescope cannot see the point: `may_be_seen`,
+/// see may_see().
 template <class T>
 Aim<T> aim(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
            const geometry::Region<T>& region, const Vec3<T>& from, const Index<T>& line,
-           const Vec3<T>& to, geometry::Route route, const Mask<T>& near_view) {
-  const auto way = geometry::sightline(sea, from, line, to, region, route, near_view);
+           const Vec3<T>& to, geometry::Route route, const Mask<T>& may_be_seen) {
+  const auto way = geometry::sightline(sea, from, line, to, region, route, may_be_seen);
   return {way.direction, -dot(way.arriving, telescope.axis) > T(0)};
 }
 

@@ -59,12 +59,12 @@ Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& t
 }
 
 /// From a photon's position through the surface to a telescope in the air, at the given line.
-/// `near_view`: whether may_see(); nothing is seen elsewhere.
+/// `may_be_seen`: whether may_see(); nothing is seen elsewhere.
 template <class T>
 Connection<T> connect_through_surface(const medium::MediumView& sea,
                                       const instrument::Telescope<T>& telescope,
                                       const Photon<T>& at, const Index<T>& line,
-                                      const Mask<T>& near_view) {
+                                      const Mask<T>& may_be_seen) {
   using std::sqrt;
   Connection<T> way;
   const auto surface = surface::flat_surface<T>(sea, line);
@@ -76,7 +76,7 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   const T aside_squared = dx * dx + dy * dy;
 
   auto start = geometry::crossing_start(inverse_n, depth, height, aside_squared);
-  start.error = select(near_view, start.error, T(0));  // no steps for the others
+  start.error = select(may_be_seen, start.error, T(0));  // no steps for the others
   const T per_rise = geometry::crossing(n, depth, height, aside_squared, start);
 
   const geometry::RefractedRay<T> ray =
@@ -88,7 +88,7 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   const T safe_towards = select(in_front, towards, T(1));
   const T tan_off_axis = length(cross(arriving, telescope.axis)) / safe_towards;
   const T overlap = telescope.overlap(per_rise / safe_towards, tan_off_axis);
-  const Mask<T> seen = near_view & in_front & (overlap > T(0));
+  const Mask<T> seen = may_be_seen & in_front & (overlap > T(0));
   if (!any(seen)) return way;
   const T in_water = depth * secant_water;
   const T in_air = height * secant_air;
@@ -199,13 +199,13 @@ Connection<T> connect_in_water(const medium::MediumView& sea,
   return way;
 }
 
-/// By one of the routes to the region where the telescope stands. `near_view`: whether may_see().
+/// By one of the routes to the region where the telescope stands. `may_be_seen`: whether may_see().
 template <class T>
 Connection<T> connect(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                       const geometry::Region<T>& region, const Photon<T>& at, const Index<T>& line,
-                      geometry::Route route, const Mask<T>& near_view) {
+                      geometry::Route route, const Mask<T>& may_be_seen) {
   if (!region.in_air) return connect_in_water(sea, telescope, region.layer, at, line, route);
-  auto way = connect_through_surface(sea, telescope, at, line, near_view);
+  auto way = connect_through_surface(sea, telescope, at, line, may_be_seen);
   if (region.air.exists()) [[unlikely]] {
     const auto& air = region.air;
     way.optical_depth = way.optical_depth + gather<T>(air.optical_depth, line) * way.secant_air;

@@ -34,15 +34,15 @@ struct RayConnection : Connection<T> {
   instrument::Sight<T> sight;
 };
 
-/// The connection as by connect(), for a lens all of which is at one of its points. `near_view`:
+/// The connection as by connect(), for a lens all of which is at one of its points. `may_be_seen`:
 /// the result of may_see(); nothing is seen elsewhere.
 template <class T>
 RayConnection<T> connect_ray(const geometry::Slabs& sea, const instrument::Telescope<T>& telescope,
                              const geometry::Region<T>& region, const Photon<T>& at,
                              const Index<T>& line, const instrument::PlanePoint<T>& lens,
-                             geometry::Route route, const Mask<T>& near_view) {
+                             geometry::Route route, const Mask<T>& may_be_seen) {
   const auto way = geometry::sightline(sea, at.position, line, in_space(telescope, lens), region,
-                                       route, near_view);
+                                       route, may_be_seen);
   RayConnection<T> connection;
   const auto& seen = connection.sight = sight(telescope, lens, way.arriving);
   connection.direction = way.direction;

@@ -36,7 +36,7 @@ T path_to_telescope(const medium::MediumView& sea, const instrument::Telescope<T
 /// `meeting`: at the surface; known where environments have other surfaces.
 template <class T>
 struct SurfaceConnection : RayConnection<T> {
-  surface::Meeting<T> meeting;
+  surface::FacetHit<T> meeting;
 };
 /// `direction` is that to the surface, and `length_water` so far.
 template <class T>

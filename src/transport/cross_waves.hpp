@@ -22,7 +22,7 @@ struct AfterFacet {
   Vec3<T> risen;       ///< ... in this direction
   T into_film{};       ///< weight that a film of oil absorbs
   T gained{};          ///< weight less what it was, before that is taken off
-  surface::Meeting<T> meeting;
+  surface::FacetHit<T> meeting;
   /// Where weights do not split: the likelihood that a walk the other way (waves_back.hpp) draws
   /// this facet and goes on as this light has come, over the likelihood of this light's own draws.
   T chance_back{1};

@@ -24,7 +24,7 @@ template <class T>
 struct AfterFacetBack {
   Mask<T> in_water{};  ///< those that leave the surface, down in the water
   T chance{1};         ///< to have gone so over the chance that light goes the other way
-  surface::Meeting<T> meeting;
+  surface::FacetHit<T> meeting;
 };
 
 /// The chance, at least, with which the first facet sends a walk back that is to return.

@@ -53,7 +53,7 @@ void detect(const World<T>& world, const transport::Photon<T>& photon, const Ind
                                {photon.line, photon.layer, photon.position}, point, distance);
     const lanes::LaneScores<T> scores{Index<T>(static_cast<std::int32_t>(t)),
                                       world.path_to_origin[t],
-                                      transport::light_of<T>(world.sea, photon.line, touched),
+                                      transport::component_of<T>(world.sea, photon.line, touched),
                                       photon.order,
                                       depth,
                                       photon.path + way,
@@ -193,7 +193,7 @@ struct AnalogSteps {
         world, p.place, p, {stand, Mask<T>(in_air)}, false, ledger,
         [](const transport::AtWaves<T>&, std::uint32_t) {},
         [](const transport::AtWaves<T>&, std::uint32_t) { return Mask<T>(false); },
-        [](const Mask<T>&, const surface::Meeting<T>&) {},
+        [](const Mask<T>&, const surface::FacetHit<T>&) {},
         [&](const Mask<T>& left, const auto&...) { leave(p, p.photon, left, depth); });
   }
   /// Photons of a mask come to a flat film, from the air or from the water. `depth`: of the

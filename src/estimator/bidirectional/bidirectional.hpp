@@ -11,7 +11,7 @@
 #include "estimator/bidirectional/connections.hpp"
 #include "estimator/bidirectional/surface_entry.hpp"
 #include "estimator/bidirectional/walk.hpp"
-#include "estimator/bidirectional/walker.hpp"
+#include "estimator/bidirectional/walk_track.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/termination.hpp"
 

@@ -123,12 +123,13 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPairing<T>& pairi
 /// Scores with the ratios of the completed paths.
 template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(Pairing<T> pairing,
-                                                                       Walked walked, Mask<T> mask,
+                                                                       Technique technique,
+                                                                       Mask<T> mask,
                                                                        FoundPath<T> path) {
   const auto laser = each_lane(pairing.laser), out = each_lane(pairing.i);
   const auto telescope = each_lane(pairing.back), back = each_lane(pairing.m);
   const auto sent_back = each_lane(completion_.sent_back);
-  lanes::each_score(tally_, mask, scores_of(pairing, walked, path),
+  lanes::each_score(tally_, mask, scores_of(pairing, technique, path),
                     [&](std::size_t lane, const tally::Score& score, const auto& at) {
                       const auto whole_leg = [&](std::int32_t of_walk) {
                         return !completion_.meets || (sent_back[lane] & of_walk) != 0;
@@ -142,8 +143,8 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(Pairing<T
                           return back_.ratio(sea_.environments, telescope[lane], back[lane],
                                              path.free == Free::telescope, whole_leg(2), e);
                         };
-                        if (walked == Walked::laser) return of_laser();
-                        if (walked == Walked::telescope) return of_telescope();
+                        if (technique == Technique::laser) return of_laser();
+                        if (technique == Technique::telescope) return of_telescope();
                         return joined(sea_.environments, e, of_laser(), of_telescope());
                       };
                       tally_.not_finite +=

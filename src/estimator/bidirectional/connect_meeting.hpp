@@ -159,9 +159,9 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
   const T met_behind = at.reach_out * at.reach_back * (goes_on * laser_side.behind + side.behind);
   const T value = out.weight * back.weight * at.coefficient * at.p * exp_minus(at.tau) /
                   (here_met + connected + at.p * (met_next + met_behind));
-  if (world_.compares) [[unlikely]]
+  if (world_.has_environments) [[unlikely]]
     complete_by_meeting(pairing, met, depth, place);
-  score(pairing, Walked::both, emitting & (at.path < receiver_.last_path),
+  score(pairing, Technique::both, emitting & (at.path < receiver_.last_path),
         {met.gain * value, at.path, last, in_path.order, pairing.i, pairing.m, met.telescope,
          at.bed, met.free});
 }

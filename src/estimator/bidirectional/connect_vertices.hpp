@@ -36,16 +36,16 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
     return;
   }
   if (sea_.waves.rough) score_by_facet(pairing, v, birth.lens, wanted & (pairing.i == Index<T>(0)));
-  const Mask<T> near_view =
+  const Mask<T> may_be_seen =
       wanted & transport::may_see(sea_, telescope_, v.position, line, birth.lens);
-  if (!any(near_view)) return;
+  if (!any(may_be_seen)) return;
   const Vec3<T> at = in_space(telescope_, birth.lens);
   for (const auto route : geometry::routes_to(receiver_.region.in_air)) {
     if (sea_.waves.rough && route == geometry::Route::mirrored) return;
     const auto way =
-        geometry::sightline(sea_, v.position, line, at, receiver_.region, route, near_view);
+        geometry::sightline(sea_, v.position, line, at, receiver_.region, route, may_be_seen);
     score_to_telescope(pairing, v, way,
-                       edge_to_telescope(near_view, v.position, v.layer, birth.lens, line, way));
+                       edge_to_telescope(may_be_seen, v.position, v.layer, birth.lens, line, way));
   }
 }
 /// To a telescope in the water by way of a facet, from the only vertex of a path. No other strategy
@@ -71,10 +71,10 @@ PHOTIC_APART void Connections<T>::score_by_facet(Pairing<T> pairing, const Verte
                                   none)
           : conversion_from_laser(sea_, v, T(0), way.direction, line, world_.inverse_conversion,
                                   Index<T>(0), T(1), T(1), none);
-  if (world_.compares) [[unlikely]]
+  if (world_.has_environments) [[unlikely]]
     complete_by_facet(pairing, v, way);
   const auto in_path = usable(pairing.i + Index<T>(1));
-  score(pairing, Walked::laser, seen,
+  score(pairing, Technique::laser, seen,
         {from.weight * from.densities.p * way.acceptance * exp_minus(way.optical_depth) /
              (samples_.to_instrument * from.chance),
          path, -v.position.z, in_path.order, in_path.order, Index<T>(0), seen_by(way.sight)});
@@ -151,10 +151,10 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
               : conversion_from_laser(sea_, v, behind, way.direction, line,
                                       world_.inverse_conversion, Index<T>(0), T(1), T(1), here);
   const T area = samples_.to_instrument * from.chance * edge.area + from.meeting;
-  if (world_.compares) [[unlikely]]
+  if (world_.has_environments) [[unlikely]]
     complete_to_telescope(pairing, v, way);
   score(
-      pairing, Walked::laser, seen,
+      pairing, Technique::laser, seen,
       {from.weight * edge.weight * balance(area, tau.all, reach, from.densities, EndDensities<T>{}),
        path, depth, in_path.order, in_path.order, Index<T>(0), edge.telescope});
 }
@@ -277,9 +277,9 @@ void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
   const ConnectionEnd to = arrival_from_laser(sea_, w, behind, way.direction,
                                               world_.inverse_conversion, pairing.m, here);
   const T area = samples_.to_instrument * to.chance * to_laser.area + to.meeting;
-  if (world_.compares) [[unlikely]]
+  if (world_.has_environments) [[unlikely]]
     complete_to_laser(pairing, w, way, to_laser.water);
-  score(pairing, Walked::telescope, lit,
+  score(pairing, Technique::telescope, lit,
         {to.weight * to_laser.weight *
              balance(area, to_laser.tau, to_laser.reach, EndDensities<T>{}, to.densities),
          path, last_depth(pairing.back), in_path.order, Index<T>(0), in_path.order,
@@ -374,9 +374,9 @@ void Connections<T>::along(const Pairing<T>& pairing, const Mask<T>& mask, const
   const T meeting = select(usable.meeting(edge), from.meeting * to.densities.p, T(0)) +
                     select(usable.meeting(edge + Index<T>(1)), to.meeting * from.densities.p, T(0));
   const T area = samples_.between * from.chance * to.chance * length * length + meeting;
-  if (world_.compares) [[unlikely]]
+  if (world_.has_environments) [[unlikely]]
     complete_between(pairing, line, v, w, length);
-  score(pairing, Walked::both, in_time,
+  score(pairing, Technique::both, in_time,
         {from.weight * to.weight *
              balance(area, tau.all, exp_minus(tau.walk), from.densities, to.densities),
          path, last_depth(pairing.back), usable.order, edge, pairing.m + Index<T>(1),

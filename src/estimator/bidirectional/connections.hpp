@@ -31,7 +31,7 @@ struct FreeStart;
 template <class T>
 struct EntryEdge;
 
-using tally::Walked;
+using tally::Technique;
 
 template <class T>
 class Connections {
@@ -319,15 +319,16 @@ class Connections {
   void complete_entry(const Index<T>& line, const geometry::Sightline<T>& way);
   void complete_by_meeting(const RayPairing<T>& pairing, const Met<T>& met, const T& depth,
                            const Index<T>& layer);
-  void score_in_environments(Pairing<T> pairing, Walked walked, Mask<T> mask, FoundPath<T> path);
+  void score_in_environments(Pairing<T> pairing, Technique technique, Mask<T> mask,
+                             FoundPath<T> path);
 
-  void score(const Pairing<T>& pairing, Walked walked, const Mask<T>& mask,
+  void score(const Pairing<T>& pairing, Technique technique, const Mask<T>& mask,
              const FoundPath<T>& path) {
-    if (world_.compares) [[unlikely]]
-      return score_in_environments(pairing, walked, mask, path);
-    scores_.push(mask, scores_of(pairing, walked, path), tally_);
+    if (world_.has_environments) [[unlikely]]
+      return score_in_environments(pairing, technique, mask, path);
+    scores_.push(mask, scores_of(pairing, technique, path), tally_);
   }
-  [[nodiscard]] lanes::LaneScores<T> scores_of(const Pairing<T>& pairing, Walked walked,
+  [[nodiscard]] lanes::LaneScores<T> scores_of(const Pairing<T>& pairing, Technique technique,
                                                const FoundPath<T>& path) const {
     using transport::Touched;
     Index<T> touched(static_cast<std::int32_t>(sea_.upside_down ? Touched::air : Touched::water));
@@ -338,12 +339,12 @@ class Connections {
                      back_.touched(pairing.back, path.of_telescope));
     return {path.telescope,
             world_.path_to_origin[receiver_.telescope],
-            transport::light_of<T>(sea_, back_.line(pairing.back), touched),
+            transport::component_of<T>(sea_, back_.line(pairing.back), touched),
             path.order,
             transport::signed_depth(sea_, path.last),
             path.length,
             path.value,
-            walked};
+            technique};
   }
 
   const World<T>& world_;

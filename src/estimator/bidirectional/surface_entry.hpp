@@ -232,8 +232,8 @@ geometry::Sightline<T> sightline_along(const EntryEdge<T>& edge, const geometry:
 
 /// The meeting with the surface of light that goes along such a way, or would if it went back.
 template <class T>
-surface::Meeting<T> meeting_along(const medium::MediumView& sea, const Index<T>& line,
-                                  const geometry::Sightline<T>& way) {
+surface::FacetHit<T> meeting_along(const medium::MediumView& sea, const Index<T>& line,
+                                   const geometry::Sightline<T>& way) {
   return surface::meeting_of(surface::rough_surface<T>(sea, line), Mask<T>(true), false,
                              Vec3<T>(-way.arriving), Vec3<T>(-way.direction));
 }

@@ -19,7 +19,7 @@ namespace photic::estimator {
 
 /// A walk that has begun, and what it has done since.
 template <class T>
-struct Walker : Track<T> {
+struct WalkTrack : Track<T> {
   Index<T> walk{};  ///< its number among those kept
 
   /// The members that a walk is born with.
@@ -40,7 +40,7 @@ struct Walker : Track<T> {
 template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void meet_surface(const geometry::Slabs& sea, Walks<T>& walks,
                                               Index<T> walk, Index<T> i,
-                                              surface::Meeting<T> meeting, Mask<T> mask) {
+                                              surface::FacetHit<T> meeting, Mask<T> mask) {
   OtherSurfaces<T> met;
   met.meet(sea, meeting);
   const auto slots = each_lane(Walks<T>::slot(walk, i));
@@ -73,10 +73,10 @@ class WalkSteps {
       u_ = source_.draw(w.walk, w.event, 0);
     });
   }
-  void look_ahead(const Walker<T>&) {}
-  void draw_free_path(const Walker<T>&) {}
+  void look_ahead(const WalkTrack<T>&) {}
+  void draw_free_path(const WalkTrack<T>&) {}
 
-  transport::FlightEnd<T> fly(Walker<T>& w) {
+  transport::FlightEnd<T> fly(WalkTrack<T>& w) {
     const transport::Photon<T> before = w.photon;
     T free_path = minus_log(u_[0]);
     const Mask<T> first = w.vertices == Index<T>(0);
@@ -98,7 +98,7 @@ class WalkSteps {
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return source_.in_time(photon);
   }
-  void cross(Walker<T>& w) {
+  void cross(WalkTrack<T>& w) {
     if (sea_.waves.rough) [[unlikely]] {
       w = cross_waves(sea_, source_, walks_, w);
       return;
@@ -109,7 +109,7 @@ class WalkSteps {
   }
 
   /// The vertex.
-  void score(Walker<T>& w) {
+  void score(WalkTrack<T>& w) {
     if (!any(w.colliding)) return;
     const Mask<T> first = w.colliding & (w.vertices == Index<T>(0));
     Spread<T> spread = any(first) ? walks_.birth_record(w.walk).spread : Spread<T>{};
@@ -136,7 +136,7 @@ class WalkSteps {
                          w.vertices);
     w.vertices = w.vertices + select(w.colliding, Index<T>(1), Index<T>(0));
   }
-  void collide(Walker<T>& w) {
+  void collide(WalkTrack<T>& w) {
     book_out(w, w.colliding & (w.vertices == Index<T>(world_.last_order)), ledger.cut_by_order);
     const Mask<T> full = w.on & w.colliding & (w.vertices == Index<T>(world_.max_vertices));
     tally.too_many_events += count(full);
@@ -149,10 +149,10 @@ class WalkSteps {
     each([&](auto& w) { leave_vertex(w); });
   }
 
-  void play_roulette(Walker<T>& w) {
+  void play_roulette(WalkTrack<T>& w) {
     w.on = estimator::play_roulette(w.photon, world_.weight_threshold, u_[3], w.on, ledger);
   }
-  [[nodiscard]] static const Index<T>& event_of(const Walker<T>& w) { return w.event; }
+  [[nodiscard]] static const Index<T>& event_of(const WalkTrack<T>& w) { return w.event; }
 
   std::remove_reference_t<decltype(Source::ledger)>& ledger;
   tally::BatchTally& tally;
@@ -170,8 +170,8 @@ class WalkSteps {
   }
   /// Has walks at the surface meet facets until they go down in the water, or have left. Walks
   /// straight from an instrument end: others begin with light sent back by facets.
-  PHOTIC_APART static Walker<T> cross_waves(const geometry::Slabs& sea, Source& source,
-                                            Walks<T>& walks, Walker<T> w) {
+  PHOTIC_APART static WalkTrack<T> cross_waves(const geometry::Slabs& sea, Source& source,
+                                               Walks<T>& walks, WalkTrack<T> w) {
     const bool back = walks.from_telescope();
     w.on = w.on & (w.colliding | (w.vertices > Index<T>(0)));
     const Mask<T> stand = w.on & !w.colliding;
@@ -179,7 +179,7 @@ class WalkSteps {
     const T before = w.photon.weight;
     const auto draw = [&](std::uint32_t block) { return source.draw(w.walk, w.event, block); };
     const auto surface = surface::rough_surface<T>(sea, w.photon.line);
-    const auto met = [&](const Mask<T>& mask, const surface::Meeting<T>& meeting) {
+    const auto met = [&](const Mask<T>& mask, const surface::FacetHit<T>& meeting) {
       if (sea.environments.other_surface)
         meet_surface(sea, walks, w.walk, w.vertices, meeting, mask);
     };
@@ -205,7 +205,7 @@ class WalkSteps {
     w.leg.reflected = w.leg.reflected | stand;
     return w;
   }
-  void leave_vertex(Walker<T>& w) {
+  void leave_vertex(WalkTrack<T>& w) {
     const Mask<T>& colliding = w.colliding;
     if (!any(colliding)) return;
     const Mask<T> convertible = colliding & (w.photon.line > Index<T>(0));
@@ -240,7 +240,7 @@ class WalkSteps {
                                           vertex_, ray, world_.rotates_scattered);
       w.axis = select(pivots, {Mask<T>(true), vertex_.position.x, vertex_.position.y}, w.axis);
     }
-    if (world_.compares) [[unlikely]]
+    if (world_.has_environments) [[unlikely]]
       keep_ratios(sea_, walks_, w, vertex_, ray, colliding);
     lanes::assign<T>(colliding, ray, w.ray);
     w.leg = select(colliding, Leg<T>{}, w.leg);
@@ -249,7 +249,7 @@ class WalkSteps {
   /// In environments, from those of the ray before. Static, and with copies: what has its address
   /// taken is kept in memory.
   PHOTIC_APART static void keep_ratios(const geometry::Slabs& sea, Walks<T>& walks,
-                                       const Walker<T>& w, Vertex<T> vertex, Ray<T> ray,
+                                       const WalkTrack<T>& w, Vertex<T> vertex, Ray<T> ray,
                                        Mask<T> mask) {
     Terms<T> way, collision;
     add_leg(sea, w.ray, vertex, way);

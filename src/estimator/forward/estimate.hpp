@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "estimator/forward/travellers.hpp"
+#include "estimator/forward/forward_tracks.hpp"
 #include "estimator/variations/environments.hpp"
 #include "estimator/world.hpp"
 #include "lanes/each_score.hpp"
@@ -127,7 +127,7 @@ lanes::LaneScores<T> scores_of(const World<T>& world, const ViewGroup<T>& group,
                                const T& path_back, const T& value) {
   return {telescope,
           group.path_to_origin,
-          transport::light_of<T>(world.sea, from.line, from.touched),
+          transport::component_of<T>(world.sea, from.line, from.touched),
           from.photon.order + Index<T>(1),
           transport::signed_depth(world.sea, T(-from.photon.position.z)),
           from.photon.path + path_back,
@@ -219,7 +219,7 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
     auto& queue = estimates.scores[g];
     Index<T> telescope(static_cast<std::int32_t>(group.number));
     if (queue.nested()) telescope = group.narrowest(sight);
-    if (compares<Events>(world)) {
+    if (has_environments<Events>(world)) {
       score_in_environments(world, group, telescope, seen, from, way, route, value, estimates,
                             tally);
       return;
@@ -253,12 +253,12 @@ PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_
 }
 
 /// Scores light of a line, and so much of photons' weight, from the collisions of a mask of
-/// travellers, in all telescopes that may see it; it waits for company, but for light that has
+/// tracks, in all telescopes that may see it; it waits for company, but for light that has
 /// ratios.
 template <class Events, class T>
-void score_light(const World<T>& world, const Travellers<T>& of, const transport::Photon<T>& photon,
-                 const T& weight, const Mask<T>& colliding, const Index<T>& line,
-                 Estimates<T>& estimates, tally::BatchTally& tally) {
+void score_light(const World<T>& world, const ForwardTracks<T>& of,
+                 const transport::Photon<T>& photon, const T& weight, const Mask<T>& colliding,
+                 const Index<T>& line, Estimates<T>& estimates, tally::BatchTally& tally) {
   const instrument::PlanePoint<T> centre{};
   const auto& lens = of.lens;
   Index<T> touched(0);
@@ -267,7 +267,7 @@ void score_light(const World<T>& world, const Travellers<T>& of, const transport
   else if (world.sea.upside_down)
     touched = of.touched;
   for (std::size_t g = 0; g < world.groups.size(); ++g) {
-    const Mask<T> seen = colliding & near_view(world, g, photon.position, line, lens);
+    const Mask<T> seen = colliding & may_be_seen(world, g, photon.position, line, lens);
     if (!any(seen)) continue;
     const SourcesOf<T> from{photon,
                             weight,
@@ -276,7 +276,7 @@ void score_light(const World<T>& world, const Travellers<T>& of, const transport
                             world.single_rays ? lens[g] : centre,
                             of.surface,
                             sources_differ(world)};
-    if (compares<Events>(world)) {
+    if (has_environments<Events>(world)) {
       score_in<Events>(world, g, Sources<T>(from), seen, tally, estimates);
       continue;
     }
@@ -305,7 +305,7 @@ T weight_at_point(const World<T>& world, const transport::Photon<T>& photon) {
 
 /// The photons of a mask whose light a world's histories score.
 template <class T>
-Mask<T> who_are_scored(const World<T>& world, const Travellers<T>& t, const Mask<T>& mask) {
+Mask<T> who_are_scored(const World<T>& world, const ForwardTracks<T>& t, const Mask<T>& mask) {
   switch (world.scored) {
     [[likely]] case Scored::all:
       return mask;
@@ -321,9 +321,9 @@ Mask<T> who_are_scored(const World<T>& world, const Travellers<T>& t, const Mask
 
 /// Scores what the telescopes expect of photons of a mask that are scattered where they stand.
 template <class Events, class T>
-void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask<T>& scored,
+void score_scattering(const World<T>& world, const ForwardTracks<T>& at, const Mask<T>& scored,
                       Estimates<T>& estimates, tally::BatchTally& tally) {
-  if (compares<Events>(world)) {
+  if (has_environments<Events>(world)) {
     estimates.paths = at.ratios.paths;
     estimates.first = at.ratios.first;
     estimates.unflown.clear();

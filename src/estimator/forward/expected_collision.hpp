@@ -11,9 +11,9 @@ namespace photic::estimator {
 
 /// Light that is scored ahead of photons, where they may get to on their flight: its ratios.
 template <class Events, class T>
-void ratios_at(const World<T>& world, const Travellers<T>& from, const transport::Photon<T>& at,
+void ratios_at(const World<T>& world, const ForwardTracks<T>& from, const transport::Photon<T>& at,
                const T& moved, Estimates<T>& estimates) {
-  if (!compares<Events>(world)) return;
+  if (!has_environments<Events>(world)) return;
   const transport::Photon<T>& before = from.photon;
   estimates.paths = from.ratios.paths;
   estimates.first = from.ratios.first;
@@ -26,9 +26,9 @@ void ratios_at(const World<T>& world, const Travellers<T>& from, const transport
 /// The number that a flight's free path is drawn by. A free path -ln(u) leaves the water where u is
 /// below the chance of that.
 template <class Events, class T>
-T path_number(const Travellers<T>& travellers, const T& u) {
+T path_number(const ForwardTracks<T>& tracks, const T& u) {
   if constexpr (Events::tools) {
-    return select(travellers.stays == T(1), u, T(1) - (T(1) - u) * travellers.stays);
+    return select(tracks.stays == T(1), u, T(1) - (T(1) - u) * tracks.stays);
   } else {
     return u;
   }
@@ -38,17 +38,17 @@ T path_number(const Travellers<T>& travellers, const T& u) {
 /// further points that are as far apart as can be among the free paths, the flight's own being the
 /// last of them (docs/theory.md, eq. 77).
 template <class Events, class T>
-void score_further_points(const World<T>& world, const Travellers<T>& travellers,
+void score_further_points(const World<T>& world, const ForwardTracks<T>& tracks,
                           Estimates<T>& estimates, tally::BatchTally& tally) {
-  const Mask<T> travelling = who_are_scored(world, travellers, travellers.on);
+  const Mask<T> travelling = who_are_scored(world, tracks, tracks.on);
   if (!any(travelling)) return;
-  const auto from = transport::flight_start(world.sea, travellers.photon);
+  const auto from = transport::flight_start(world.sea, tracks.photon);
   for (std::int32_t k = 1; k < world.scored_points; ++k) {
     const T rest = T(static_cast<double>(k) / world.scored_points);
-    const T& u = travellers.u[0];
+    const T& u = tracks.u[0];
     const T u_k = select(u > rest, u - rest, u + (T(1) - rest));
-    transport::Photon<T> at = travellers.photon;
-    const T free_path = minus_log(path_number<Events>(travellers, u_k));
+    transport::Photon<T> at = tracks.photon;
+    const T free_path = minus_log(path_number<Events>(tracks, u_k));
     auto end = transport::fly(world.sea, at, from, free_path);
     if (!Events::tools && world.flies_on) {
       transport::fly_on(world.sea, at, end, [&](const Mask<T>&, transport::Photon<T>& down) {
@@ -57,16 +57,17 @@ void score_further_points(const World<T>& world, const Travellers<T>& travellers
     }
     const Mask<T> scored = travelling & !(end.surface | end.sea_bed) & in_time(world, at);
     if (!any(scored)) continue;
-    ratios_at<Events>(world, travellers, at, end.length, estimates);
-    score_light<Events>(world, travellers, at, weight_at_point(world, at), scored, at.line,
-                        estimates, tally);
+    ratios_at<Events>(world, tracks, at, end.length, estimates);
+    score_light<Events>(world, tracks, at, weight_at_point(world, at), scored, at.line, estimates,
+                        tally);
   }
 }
 
 /// Scores what the telescopes expect of the conversions on photons' way to their next collision; of
 /// all their collisions, if these are not scored where they happen.
 template <class Events, class T>
-PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const Travellers<T>& from,
+PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world,
+                                                  const ForwardTracks<T>& from,
                                                   const Mask<T>& travelling,
                                                   Estimates<T>& estimates,
                                                   tally::BatchTally& tally) {

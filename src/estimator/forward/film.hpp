@@ -27,8 +27,9 @@ struct ComeToFilm {
 
 /// Scores, in a group of telescopes, what the film emits in a line.
 template <class Events, class T>
-void score_film(const World<T>& world, const Travellers<T>& t, std::size_t g, const Index<T>& line,
-                const ComeToFilm<T>& film, Estimates<T>& estimates, tally::BatchTally& tally) {
+void score_film(const World<T>& world, const ForwardTracks<T>& t, std::size_t g,
+                const Index<T>& line, const ComeToFilm<T>& film, Estimates<T>& estimates,
+                tally::BatchTally& tally) {
   const ViewGroup<T>& group = world.groups[g];
   const transport::Photon<T>& photon = t.photon;
   const auto way = transport::from_surface(group.widest, t.lens[g], photon.position);
@@ -46,7 +47,7 @@ void score_film(const World<T>& world, const Travellers<T>& t, std::size_t g, co
                                 transport::path_to_telescope(world.sea, group.widest, group.region,
                                                              line, t.lens[g], photon.position, way),
                                 value);
-  if (!compares<Events>(world)) return estimates.scores[g].push(seen, scores, tally);
+  if (!has_environments<Events>(world)) return estimates.scores[g].push(seen, scores, tally);
   estimates.paths = t.ratios.paths;
   estimates.first = t.ratios.first;
   estimates.completion.clear();
@@ -70,7 +71,7 @@ T emitted_weight(const World<T>& world, const transport::Photon<T>& photon, cons
 /// Scores the emitted light, and sends photons down into the water as such light, by chance.
 /// Returns which; the weight of the others makes up for them.
 template <class Events, class T, class Ledger>
-PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, Travellers<T>& t,
+PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, ForwardTracks<T>& t,
                                   const ComeToFilm<T>& film, std::uint32_t number,
                                   Estimates<T>& estimates, tally::BatchTally& tally,
                                   Ledger& ledger) {
@@ -93,7 +94,7 @@ PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, Travellers<T>& t,
 
   const T sinks = emitted_weight(world, photon, line, lit, down, false) * T(1 / film_conversion);
   const Mask<T> converted = lit.mask & (u[0] < T(film_conversion));
-  if (compares<Events>(world) && world.sea.environments.other_film && any(converted))
+  if (has_environments<Events>(world) && world.sea.environments.other_film && any(converted))
     t.ratios.emitted(world.sea, lit.at, line, down, false, converted);
   book(ledger.oil, converted, T(0) - sinks);
   photon.weight = photon.weight * select(lit.mask, T(1 / (1 - film_conversion)), T(1));
@@ -110,7 +111,7 @@ PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, Travellers<T>& t,
 /// Has photons of a mask that stand at a flat film, above it or below, go on: some as light that it
 /// emits; the others cross it or are reflected, but for the light absorbed.
 template <class Events, class T, class Ledger>
-PHOTIC_APART void cross_flat_film(const World<T>& world, Travellers<T>& t, const Mask<T>& stand,
+PHOTIC_APART void cross_flat_film(const World<T>& world, ForwardTracks<T>& t, const Mask<T>& stand,
                                   bool in_air, Estimates<T>& estimates, tally::BatchTally& tally,
                                   Ledger& ledger) {
   transport::Photon<T>& photon = t.photon;
@@ -120,7 +121,7 @@ PHOTIC_APART void cross_flat_film(const World<T>& world, Travellers<T>& t, const
     crosses = stand & !emit_by_film<Events>(world, t, film, 0, estimates, tally, ledger);
   }
   const auto crossed = [&](std::int32_t way, const T& cosine) {
-    if (compares<Events>(world) && world.sea.environments.other_film)
+    if (has_environments<Events>(world) && world.sea.environments.other_film)
       t.ratios.crossed(world.sea, {photon.line, Index<T>(way), cosine}, crosses);
   };
   if (!in_air) {

@@ -15,7 +15,7 @@ namespace photic::estimator {
 /// A batch's photons n, n + 1, … of a mask leave the laser.
 template <class Events, class T, class Ledger>
 void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const Mask<T>& exist,
-           Travellers<T>& t, Estimates<T>& estimates, tally::BatchTally& tally, Ledger& ledger) {
+           ForwardTracks<T>& t, Estimates<T>& estimates, tally::BatchTally& tally, Ledger& ledger) {
   t.place.photon = draws.photon(Index<T>(n) + lane_numbers<T>());
   t.place.event = Index<T>(0);
   for (std::size_t k = 0; k < t.lens.size(); ++k) {
@@ -26,7 +26,7 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
   const auto u = draws.together(n, 0, birth_blocks[0]);
   if (world.sea.bands > 0) t.spectral_bin = medium::spectral_bin_of(u[3]);
   birth_at_laser(world, u[0], u[1], exist, t, ledger);
-  if (compares<Events>(world))
+  if (has_environments<Events>(world))
     t.ratios.came_down(world.sea, world.laser_region, t.photon.line, t.photon.direction,
                        stands_at_surface(world.sea), t.on);
   if (world.sea.waves.rough && world.laser_region.in_air)
@@ -37,11 +37,12 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
 
 /// Keeps the copies of a photon that was split, each with random numbers of its own.
 template <class T>
-void keep_copies(const World<T>& world, const Travellers<T>& photon,
-                 std::vector<Travellers<T>>& waiting) {
+void keep_copies(const World<T>& world, const ForwardTracks<T>& photon,
+                 std::vector<ForwardTracks<T>>& waiting) {
   for (std::int32_t i = 0; i < photon.copies; ++i) {
     waiting.push_back(photon);
-    if (world.compares) photon.ratios.paths->copy(world.sea.environments, 0, waiting.size());
+    if (world.has_environments)
+      photon.ratios.paths->copy(world.sea.environments, 0, waiting.size());
     waiting.back().place.photon =
         copy_number(photon.place.key, photon.place.photon, photon.place.event, i);
   }
@@ -52,7 +53,7 @@ template <class T>
 struct Passed {
   explicit Passed(const World<T>& world) : ratios(world.sea.environments, 0) {}
 
-  std::vector<Travellers<T>> photons;
+  std::vector<ForwardTracks<T>> photons;
   PathRatios<T> ratios;  ///< of each, in environments
 };
 
@@ -60,8 +61,8 @@ struct Passed {
 /// random numbers of their own.
 template <class T>
 Leave<T> wait_to_pass(const World<T>& world, Passed<T>& passed) {
-  return [&](const Travellers<T>& gone, std::int32_t copy) {
-    if (world.compares)
+  return [&](const ForwardTracks<T>& gone, std::int32_t copy) {
+    if (world.has_environments)
       passed.ratios.copy(world.sea.environments, *gone.ratios.paths, gone.ratios.first,
                          passed.photons.size());
     passed.photons.push_back(gone);
@@ -75,8 +76,8 @@ Leave<T> wait_to_pass(const World<T>& world, Passed<T>& passed) {
 /// first flight, `steps`: those of all others. `witness` is called for them at the end of each
 /// event. Flattened: all that it calls stays in registers, which saves a tenth of the time.
 template <class Events, class T, class Steps, class Witness>
-PHOTIC_APART PHOTIC_FLATTEN void follow(const World<T>& world, Travellers<T>& photon,
-                                        std::vector<Travellers<T>>& waiting, Steps& first,
+PHOTIC_APART PHOTIC_FLATTEN void follow(const World<T>& world, ForwardTracks<T>& photon,
+                                        std::vector<ForwardTracks<T>>& waiting, Steps& first,
                                         Steps& steps, Witness& witness) {
   const auto each = [&](auto stage) { stage(photon); };
   for (Steps* now = &first;; now = &steps) {
@@ -89,7 +90,7 @@ PHOTIC_APART PHOTIC_FLATTEN void follow(const World<T>& world, Travellers<T>& ph
       if (photon.on) continue;
     }
     if (!Events::tools || waiting.empty()) return;
-    if (compares<Events>(world))
+    if (has_environments<Events>(world))
       photon.ratios.paths->copy(world.sea.environments, waiting.size(), 0);
     photon = std::move(waiting.back());
     waiting.pop_back();
@@ -100,10 +101,10 @@ template <class Events, class T, class Witness>
 void follow(const World<T>& world, std::uint64_t first, std::uint64_t count, Passed<T>& passed,
             tally::BatchTally& tally, Witness& witness) {
   const Draws<T> draws = draws_of_laser(world, first);
-  Travellers<T> photon(world);
+  ForwardTracks<T> photon(world);
   PathRatios<T> paths(world.sea.environments, 1);
   photon.ratios.paths = &paths;
-  std::vector<Travellers<T>> waiting;
+  std::vector<ForwardTracks<T>> waiting;
   Estimates<T> estimates(world);
   std::int32_t n = 0;
   using Steps = ForwardSteps<Events, T, tally::Ledger>;
@@ -121,7 +122,7 @@ void follow(const World<T>& world, std::uint64_t first, std::uint64_t count, Pas
               [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); },
               wait_to_pass(world, passed)};
   for (; n < static_cast<std::int32_t>(count); ++n) {
-    if (compares<Events>(world)) paths.of(0).begin(world.sea.environments);
+    if (has_environments<Events>(world)) paths.of(0).begin(world.sea.environments);
     birth<Events>(world, draws, n, true, photon, estimates, tally, tally.ledger);
     if (photon.on) follow<Events>(world, photon, waiting, first_flight, steps, witness);
   }
@@ -130,9 +131,9 @@ void follow(const World<T>& world, std::uint64_t first, std::uint64_t count, Pas
 template <class Events, class T, class Witness>
 void follow(const World<T>& world, Passed<T>& arrivals, Passed<T>& passed, tally::BatchTally& tally,
             Witness& witness) {
-  Travellers<T> photon(world);
+  ForwardTracks<T> photon(world);
   PathRatios<T> paths(world.sea.environments, 1);
-  std::vector<Travellers<T>> waiting;
+  std::vector<ForwardTracks<T>> waiting;
   Estimates<T> estimates(world);
   ForwardSteps<Events, T, tally::Ledger> steps{
       world,
@@ -143,7 +144,7 @@ void follow(const World<T>& world, Passed<T>& arrivals, Passed<T>& passed, tally
       wait_to_pass(world, passed)};
   for (std::size_t i = 0; i < arrivals.photons.size(); ++i) {
     photon = std::move(arrivals.photons[i]);
-    if (world.compares) {
+    if (world.has_environments) {
       paths.copy(world.sea.environments, arrivals.ratios, i, 0);
       photon.ratios.paths = &paths;
     }

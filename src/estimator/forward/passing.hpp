@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "estimator/beyond.hpp"
-#include "estimator/forward/travellers.hpp"
+#include "estimator/forward/forward_tracks.hpp"
 #include "estimator/random_blocks.hpp"
 
 namespace photic::estimator {
@@ -13,13 +13,13 @@ namespace photic::estimator {
 /// Takes photons that leave a world's medium, and what their new random numbers are drawn by. A
 /// reference to a function: rare enough not to be compiled anew for each caller.
 template <class T>
-using Leave = std::function<void(Travellers<T>& gone, std::int32_t copy)>;
+using Leave = std::function<void(ForwardTracks<T>& gone, std::int32_t copy)>;
 
 /// Calls `leave` for the photons of a mask whose light goes on in the other medium, in a direction
 /// and with a weight. Photons not scattered yet are left out: laser light straight through the air
 /// sets out in the water by itself. `meeting`: of the event.
 template <class T>
-void pass_surface(const World<T>& world, const Travellers<T>& t, const Mask<T>& mask,
+void pass_surface(const World<T>& world, const ForwardTracks<T>& t, const Mask<T>& mask,
                   const Vec3<T>& direction, const T& weight, std::uint32_t meeting,
                   const Leave<T>& leave) {
   if (!world.beyond.exists) return;
@@ -27,7 +27,7 @@ void pass_surface(const World<T>& world, const Travellers<T>& t, const Mask<T>& 
   if (!any(passes)) return;
   passes = passes & (uniforms(t.place, passing_blocks[meeting])[0] < world.beyond.chance);
   if (!any(passes)) return;
-  Travellers<T> gone = t;
+  ForwardTracks<T> gone = t;
   gone.on = passes;
   gone.photon.weight = weight / world.beyond.chance;
   gone.photon.analog_weight = T(1);

@@ -39,32 +39,34 @@ struct ForwardSteps {
   }
 
   /// Scores a flight before it begins.
-  void look_ahead(Travellers<T>& t) {
+  void look_ahead(ForwardTracks<T>& t) {
     if (!world.cones.empty())
       score_on_the_way<Events>(world, t, who_are_scored(world, t, t.on), estimates, tally);
     if constexpr (Events::tools) begin_with_tools(world, t, t.on, ledger);
     score_further_points<Events>(world, t, estimates, tally);
   }
 
-  void draw_free_path(Travellers<T>& t) { t.free_path = minus_log(path_number<Events>(t, t.u[0])); }
+  void draw_free_path(ForwardTracks<T>& t) {
+    t.free_path = minus_log(path_number<Events>(t, t.u[0]));
+  }
 
-  transport::FlightEnd<T> fly(Travellers<T>& t) {
+  transport::FlightEnd<T> fly(ForwardTracks<T>& t) {
     transport::Photon<T>& photon = t.photon;
-    if (compares<Events>(world)) t.ratios.before = photon;
+    if (has_environments<Events>(world)) t.ratios.before = photon;
     auto end = transport::fly(world.sea, photon, t.free_path);
     if (flies_on()) {
       transport::fly_on(world.sea, photon, end, [&](const Mask<T>& reflected, auto& down) {
         t.on = (t.on & !reflected) | reflect_in_flight(t, t.on & reflected, down);
       });
     }
-    if (compares<Events>(world)) t.ratios.flown(world.sea, photon, end.length, t.on);
+    if (has_environments<Events>(world)) t.ratios.flown(world.sea, photon, end.length, t.on);
     return end;
   }
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return estimator::in_time(world, photon);
   }
 
-  void cross(Travellers<T>& t) {
+  void cross(ForwardTracks<T>& t) {
     if (flies_on()) return;
     if (world.sea.waves.rough) {
       const Mask<T> stand = t.on & !t.colliding;
@@ -84,7 +86,7 @@ struct ForwardSteps {
   }
 
   /// If that has not been done on the way, where only collisions in the water are.
-  void score(const Travellers<T>& t) {
+  void score(const ForwardTracks<T>& t) {
     Mask<T> scored = who_are_scored(world, t, t.colliding);
     if (Events::tools && world.tools.scores_on_the_way)
       scored = scored & surface::on_bed<T>(world.sea, t.photon.layer);
@@ -92,7 +94,7 @@ struct ForwardSteps {
   }
 
   /// Some go on as light of another wavelength, what is absorbed is lost.
-  void collide(Travellers<T>& t) {
+  void collide(ForwardTracks<T>& t) {
     if (world.last_order > 0) {
       const Index<T> next = t.photon.order + Index<T>(1);
       book_out(t, t.colliding & (next == Index<T>(world.last_order)), ledger.cut_by_order);
@@ -104,7 +106,7 @@ struct ForwardSteps {
     const Index<T> here = world.sea.at(photon.line, photon.layer);
     book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
     if (world.sea.bed_angles > 0) book_bed(photon, colliding);
-    if (compares<Events>(world)) t.ratios.before = photon;
+    if (has_environments<Events>(world)) t.ratios.before = photon;
     t.branch = transport::collide(world.sea, photon, t.spectral_bin, world.conversion, t.choices[0],
                                   t.choices[1]);
     transport::Photon<T>& after = t.photon;
@@ -124,14 +126,14 @@ struct ForwardSteps {
     if (world.sea.bed_angles > 0) each([&](auto& t) { leave_bed(t); });
   }
 
-  void play_roulette(Travellers<T>& t) {
+  void play_roulette(ForwardTracks<T>& t) {
     if constexpr (Events::tools)
       t.on = end_with_tools(world, t, t.on, left_of_direction(t), ledger);
     else if (any(t.photon.analog_weight < world.weight_threshold))
       t.on = estimator::play_roulette(t.photon, world.weight_threshold, left_of_direction(t), t.on,
                                       ledger);
   }
-  [[nodiscard]] static const Index<T>& event_of(const Travellers<T>& t) { return t.place.event; }
+  [[nodiscard]] static const Index<T>& event_of(const ForwardTracks<T>& t) { return t.place.event; }
 
  private:
   [[nodiscard]] bool flies_on() const { return !Events::tools && world.flies_on; }
@@ -146,7 +148,7 @@ struct ForwardSteps {
   /// Reflects photons of a mask at the surface, but for the weight that passes. Photons left with
   /// far less than the threshold play roulette at once, before more is done for little light; the
   /// others use the rest of the number that it is played by. Returns which go on.
-  Mask<T> reflect_in_flight(Travellers<T>& t, const Mask<T>& reflected,
+  Mask<T> reflect_in_flight(ForwardTracks<T>& t, const Mask<T>& reflected,
                             transport::Photon<T>& photon) {
     book_leaving(ledger, reflected, transport::reflect_down(world.sea, photon));
     constexpr double far_less = 1.0 / 8;
@@ -160,22 +162,22 @@ struct ForwardSteps {
     return survives;
   }
 
-  void deflect(Travellers<T>& t) {
+  void deflect(ForwardTracks<T>& t) {
     if (!any(t.colliding)) return;
     t.deflection = transport::deflect(world.sea, t.photon.layer, t.photon.direction, t.branch.phase,
                                       t.branch.lobe, t.targets, world.directed,
                                       {t.u[1], t.u[2], t.u[3], t.choices[2]});
   }
-  void turn(Travellers<T>& t) {
+  void turn(ForwardTracks<T>& t) {
     const Mask<T>& colliding = t.colliding;
     if (!any(colliding)) return;
     transport::Photon<T>& photon = t.photon;
     if (world.directs) t.old_direction = photon.direction;
     photon.direction = select<T>(colliding, transport::turned(t.deflection), photon.direction);
-    if (compares<Events>(world)) t.ratios.collided(world.sea, photon, colliding);
+    if (has_environments<Events>(world)) t.ratios.collided(world.sea, photon, colliding);
   }
   /// The weight takes the ratio of the true density of directions to that with targets.
-  void weigh_direction(Travellers<T>& t) {
+  void weigh_direction(ForwardTracks<T>& t) {
     if (!any(t.colliding)) return;
     const T ratio =
         transport::true_over_drawn(world.sea, t.photon.layer, t.old_direction, t.photon.direction,
@@ -183,7 +185,7 @@ struct ForwardSteps {
     t.photon.weight = t.photon.weight * select(t.colliding, ratio, T(1));
   }
   /// Ends the photons that were sent towards a target below it: no light goes there.
-  void leave_bed(Travellers<T>& t) {
+  void leave_bed(ForwardTracks<T>& t) {
     t.on = t.on & !(t.colliding & (t.photon.weight == T(0)));
     t.touched = select(t.colliding, transport::touched_at<T>(world.sea, t.photon.layer, t.touched),
                        t.touched);
@@ -191,7 +193,7 @@ struct ForwardSteps {
         select(t.colliding, world.sea.template layer_of<T>(t.photon.layer), t.photon.layer);
   }
   /// The rest of the number that decided whether directions were drawn towards targets.
-  T left_of_direction(const Travellers<T>& t) const {
+  T left_of_direction(const ForwardTracks<T>& t) const {
     const T& u = t.u[3];
     if (!world.directs) return u;
     return select(t.colliding, left_of_choice(u, t.targets.share(world.directed)), u);

@@ -13,13 +13,13 @@ namespace photic::estimator {
 
 /// Photons of a laser in the water that rise come to the surface, but for what is lost on the way.
 template <class Events, class T, class Ledger>
-void rise_to_surface(const World<T>& world, Travellers<T>& t, Estimates<T>& estimates,
+void rise_to_surface(const World<T>& world, ForwardTracks<T>& t, Estimates<T>& estimates,
                      tally::BatchTally& tally, Ledger& ledger) {
-  if (compares<Events>(world)) t.ratios.before = t.photon;
+  if (has_environments<Events>(world)) t.ratios.before = t.photon;
   const auto up = transport::come_up(world.sea, t.photon);
   const Mask<T> rises = t.on & up.rises;
   if (!any(rises)) return;
-  if (compares<Events>(world)) t.ratios.flown(world.sea, t.photon, up.length, rises);
+  if (has_environments<Events>(world)) t.ratios.flown(world.sea, t.photon, up.length, rises);
   cross_waves<Events>(world, t, rises, false, estimates, tally, ledger, {});
 }
 
@@ -30,7 +30,7 @@ PHOTIC_APART void surface_echo(const World<T>& world, std::uint64_t first, std::
                                tally::BatchTally& tally) {
   if (!world.sea.waves.rough) return;
   const Draws<T> draws = draws_of_laser(world, first);
-  Travellers<T> t(world);
+  ForwardTracks<T> t(world);
   Estimates<T> estimates(world);
   PathRatios<T> paths(world.sea.environments, lanes_of<T>);
   t.ratios.paths = &paths;
@@ -38,7 +38,7 @@ PHOTIC_APART void surface_echo(const World<T>& world, std::uint64_t first, std::
   for (std::uint64_t n = 0; n < count; n += lanes_of<T>) {
     const Mask<T> exist = first_lanes<T>(count - n);
     const auto number = static_cast<std::int32_t>(n);
-    if (world.compares) {
+    if (world.has_environments) {
       for (std::size_t k = 0; k < lanes_of<T>; ++k) paths.of(k).begin(world.sea.environments);
       birth<AllEvents>(world, draws, number, exist, t, estimates, tally, not_counted);
       if (!world.laser_region.in_air)

@@ -4,14 +4,14 @@
 
 #include <cmath>
 
-#include "estimator/forward/travellers.hpp"
+#include "estimator/forward/forward_tracks.hpp"
 #include "transport/aim.hpp"
 
 namespace photic::estimator {
 
 /// Adds the ways to the telescopes as targets, one to each group by each route.
 template <class T>
-void aim_at_telescopes(const World<T>& world, Travellers<T>& at) {
+void aim_at_telescopes(const World<T>& world, ForwardTracks<T>& at) {
   using namespace transport;
   Targets<T>& targets = at.targets;
   const Vec3<T>& from = at.photon.position;
@@ -27,7 +27,7 @@ void aim_at_telescopes(const World<T>& world, Travellers<T>& at) {
               ? aim_by_waves(world.sea, telescope, region, from, line, at.lens[g],
                              {at.surface[0], at.surface[1], at.surface[2]})
               : aim(world.sea, telescope, region, from, line, to, route,
-                    near_view(world, g, from, line, at.lens));
+                    may_be_seen(world, g, from, line, at.lens));
       targets.add(direction, T(0), select(in_front, T(1), T(0)));
     }
   }
@@ -60,7 +60,7 @@ void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Tar
 
 /// Fills in the targets of the direction that photons may take next, where they collide.
 template <class T>
-void aim_at_targets(const World<T>& world, Travellers<T>& at) {
+void aim_at_targets(const World<T>& world, ForwardTracks<T>& at) {
   if (!any(at.colliding)) return;
   at.targets.clear();
   aim_at_telescopes(world, at);

@@ -38,18 +38,18 @@ Mask<T> are_forced(const World<T>& world, const RandomPlace<T>& place) {
 
 /// Before the flight of photons that are `on` their way.
 template <class T, class Ledger>
-void begin_with_tools(const World<T>& world, Travellers<T>& travellers, const Mask<T>& on,
+void begin_with_tools(const World<T>& world, ForwardTracks<T>& tracks, const Mask<T>& on,
                       Ledger& ledger) {
-  transport::Photon<T>& photon = travellers.photon;
-  travellers.analog_before = photon.analog_weight;
-  travellers.importance_before = importance_at(world.tools, -photon.position.z);
-  travellers.stays = T(1);
-  const Mask<T> forced = are_forced(world, travellers.place);
+  transport::Photon<T>& photon = tracks.photon;
+  tracks.analog_before = photon.analog_weight;
+  tracks.importance_before = importance_at(world.tools, -photon.position.z);
+  tracks.stays = T(1);
+  const Mask<T> forced = are_forced(world, tracks.place);
   if (!any(forced)) return;
   const auto away = escape(world.sea, photon);
   book(ledger.escaped, on & forced & away.surface, away.weight);
   book(ledger.sea_bed, on & forced & !away.surface, away.weight);
-  const T& stays = travellers.stays = select(forced, T(1) - away.probability, T(1));
+  const T& stays = tracks.stays = select(forced, T(1) - away.probability, T(1));
   photon.weight = photon.weight * stays;
   photon.analog_weight = photon.analog_weight * stays;
 }
@@ -57,31 +57,31 @@ void begin_with_tools(const World<T>& world, Travellers<T>& travellers, const Ma
 /// Splits photons on their way to where they are worth more, and kills some of those on their way
 /// to where they are worth less. Returns which go on, and the number of copies besides.
 template <class T, class Ledger>
-Mask<T> split(const World<T>& world, Travellers<T>& travellers, const Mask<T>& on, Ledger& ledger) {
-  transport::Photon<T>& photon = travellers.photon;
-  travellers.copies = Index<T>(0);
-  const T ratio = importance_at(world.tools, -photon.position.z) / travellers.importance_before;
+Mask<T> split(const World<T>& world, ForwardTracks<T>& tracks, const Mask<T>& on, Ledger& ledger) {
+  transport::Photon<T>& photon = tracks.photon;
+  tracks.copies = Index<T>(0);
+  const T ratio = importance_at(world.tools, -photon.position.z) / tracks.importance_before;
   const Mask<T> changes = on & !(ratio == T(1));
   if (!any(changes)) return on;
-  const T u = uniforms(travellers.place, split_blocks[0])[0];
+  const T u = uniforms(tracks.place, split_blocks[0])[0];
   const Index<T> whole = floor_index(ratio);
   const Index<T> all_of_them =
       whole + select(u < ratio - to_real<T>(whole), Index<T>(1), Index<T>(0));
   const T each = photon.weight / ratio;
   book(ledger.roulette, changes, photon.weight - to_real<T>(all_of_them) * each);
   photon.weight = select(changes, each, photon.weight);
-  travellers.copies =
+  tracks.copies =
       select(changes & (all_of_them > Index<T>(1)), all_of_them - Index<T>(1), Index<T>(0));
   return on & !(changes & (all_of_them == Index<T>(0)));
 }
 
 /// At the end of an event, in place of play_roulette.
 template <class T, class Ledger>
-Mask<T> end_with_tools(const World<T>& world, Travellers<T>& travellers, Mask<T> on, const T& u,
+Mask<T> end_with_tools(const World<T>& world, ForwardTracks<T>& tracks, Mask<T> on, const T& u,
                        Ledger& ledger) {
-  transport::Photon<T>& photon = travellers.photon;
+  transport::Photon<T>& photon = tracks.photon;
   const T& threshold = world.weight_threshold;
-  const T& before = travellers.analog_before;
+  const T& before = tracks.analog_before;
   switch (world.tools.at_threshold) {
     case scene::AtThreshold::roulette:
       on = play_roulette(photon, threshold, u, on, ledger);
@@ -96,7 +96,7 @@ Mask<T> end_with_tools(const World<T>& world, Travellers<T>& travellers, Mask<T>
       book(ledger.cut_by_weight, on & low, photon.weight);
       on = on & !low;
   }
-  return split(world, travellers, on, ledger);
+  return split(world, tracks, on, ledger);
 }
 
 }  // namespace photic::estimator

@@ -14,7 +14,7 @@ namespace photic::estimator {
 
 /// Scores photons of a mask that are about to meet facets, by a way to a group of telescopes.
 template <class Events, class T>
-void score_from_surface(const World<T>& world, const Travellers<T>& t, const ViewGroup<T>& group,
+void score_from_surface(const World<T>& world, const ForwardTracks<T>& t, const ViewGroup<T>& group,
                         const transport::SurfaceConnection<T>& way, const Mask<T>& mask,
                         Estimates<T>& estimates, tally::BatchTally& tally) {
   const transport::Photon<T>& photon = t.photon;
@@ -26,12 +26,12 @@ void score_from_surface(const World<T>& world, const Travellers<T>& t, const Vie
   if (!group.narrower.empty()) telescope = group.narrowest(way.sight);
   const lanes::LaneScores<T> scores{telescope,
                                     group.path_to_origin,
-                                    transport::light_of<T>(world.sea, photon.line, touched),
+                                    transport::component_of<T>(world.sea, photon.line, touched),
                                     photon.order,
                                     T(0),
                                     photon.path + way.path,
                                     photon.weight * way.acceptance * exp_minus(way.optical_depth)};
-  if (!compares<Events>(world))
+  if (!has_environments<Events>(world))
     return estimates.scores[&group - world.groups.data()].push(seen, scores, tally);
   estimates.paths = t.ratios.paths;
   estimates.first = t.ratios.first;
@@ -49,7 +49,7 @@ void score_from_surface(const World<T>& world, const Travellers<T>& t, const Vie
 }
 /// Before the given facet of an event.
 template <class Events, class T>
-PHOTIC_APART void score_at_surface(const World<T>& world, const Travellers<T>& t,
+PHOTIC_APART void score_at_surface(const World<T>& world, const ForwardTracks<T>& t,
                                    const Mask<T>& in_air, const Mask<T>& mask, std::uint32_t facet,
                                    Estimates<T>& estimates, tally::BatchTally& tally) {
   const auto& waves = world.sea.waves;
@@ -71,7 +71,7 @@ PHOTIC_APART void score_at_surface(const World<T>& world, const Travellers<T>& t
 /// Has photons of a mask that stand at the surface cross it or go back. `leave`: see
 /// pass_surface().
 template <class Events, class T, class Ledger>
-PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mask<T>& stand,
+PHOTIC_APART void cross_waves(const World<T>& world, ForwardTracks<T>& t, const Mask<T>& stand,
                               bool in_air, Estimates<T>& estimates, tally::BatchTally& tally,
                               Ledger& ledger, const Leave<T>& leave) {
   const auto& waves = world.sea.waves;
@@ -86,8 +86,8 @@ PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mas
     }
     if (any(scored)) score_at_surface<Events>(world, t, at.in_air, scored, facet, estimates, tally);
   };
-  const auto met = [&](const Mask<T>& meets, const surface::Meeting<T>& meeting) {
-    if (compares<Events>(world) && world.sea.environments.other_surface)
+  const auto met = [&](const Mask<T>& meets, const surface::FacetHit<T>& meeting) {
+    if (has_environments<Events>(world) && world.sea.environments.other_surface)
       t.ratios.met(world.sea, meeting, meets);
   };
   const auto emit = [&](const transport::AtWaves<T>& at, std::uint32_t facet) {

@@ -65,20 +65,20 @@ std::array<T, 2> joined(const medium::EnvironmentsView& environments, std::int32
 /// The numbers of one path, [environment].
 template <class T>
 struct PathRatio {
-  Element<T>* product = nullptr;  ///< of the ratios of its collisions; of tangents their sum
-  Element<T>* deeper = nullptr;   ///< optical depth of its flights less that in the medium
+  Element<T>* product = nullptr;     ///< of the ratios of its collisions; of tangents their sum
+  Element<T>* excess_tau = nullptr;  ///< optical depth of its flights less that in the medium
 
   void begin(const medium::EnvironmentsView& environments) const {
     each_group<T>(environments, [&](std::int32_t e) {
       store(select(tangents<T>(environments, e), T(0), T(1)), product + e);
-      store(T(0), deeper + e);
+      store(T(0), excess_tau + e);
     });
   }
   /// The path has gone ways.
   void pass(const medium::EnvironmentsView& environments, const Terms<T>& ways,
             std::size_t lane) const {
     each_group<T>(environments, [&](std::int32_t e) {
-      store(load<T>(deeper + e) + ways.sum(environments, lane, e), deeper + e);
+      store(load<T>(excess_tau + e) + ways.sum(environments, lane, e), excess_tau + e);
     });
   }
   /// The path has had a collision.
@@ -92,11 +92,11 @@ struct PathRatio {
   /// Another part of the path belongs to it.
   void join(const medium::EnvironmentsView& environments, const PathRatio& part) const {
     each_group<T>(environments, [&](std::int32_t e) {
-      const std::array<T, 2> own{load<T>(product + e), load<T>(deeper + e)};
+      const std::array<T, 2> own{load<T>(product + e), load<T>(excess_tau + e)};
       const auto both =
-          joined(environments, e, own, {load<T>(part.product + e), load<T>(part.deeper + e)});
+          joined(environments, e, own, {load<T>(part.product + e), load<T>(part.excess_tau + e)});
       store(both[0], product + e);
-      store(both[1], deeper + e);
+      store(both[1], excess_tau + e);
     });
   }
   /// The path has met the surface, or a film has emitted its light.
@@ -132,7 +132,7 @@ class PathRatios {
     const PathRatio<T> source = others.of(from), copy = of(to);
     each_group<T>(environments, [&](std::int32_t e) {
       store(load<T>(source.product + e), copy.product + e);
-      store(load<T>(source.deeper + e), copy.deeper + e);
+      store(load<T>(source.excess_tau + e), copy.excess_tau + e);
     });
   }
   /// Product and depth of a path, for environments from `first` on.
@@ -313,15 +313,15 @@ std::uint64_t complete(const medium::MediumView& sea, const Completion<T>& compl
   std::uint64_t lost = 0;
   each_group<T>(environments, [&](std::int32_t first) {
     using std::abs;
-    auto [product, deeper] = walks(first);
-    deeper = deeper + completion.ways.sum(environments, lane, first);
+    auto [product, excess_tau] = walks(first);
+    excess_tau = excess_tau + completion.ways.sum(environments, lane, first);
     for (std::size_t k = 0; k < completion.collisions; ++k)
       product = collided(environments, product, completion.collision[k], lane, first);
     product = times(environments, product, completion.surface.sum(sea, lane, first), first);
     product = times(environments, product, completion.emission.sum(sea, lane, first), first);
-    const T of_other_water = product * exp_minus(select(deeper > least, deeper, least));
+    const T of_other_water = product * exp_minus(select(excess_tau > least, excess_tau, least));
     const T ratio =
-        select(tangents<T>(environments, first), T(1) + product - deeper, of_other_water);
+        select(tangents<T>(environments, first), T(1) + product - excess_tau, of_other_water);
     const Mask<T> finite = abs(ratio) <= most;
     lost += lanes_of<T> - count(finite);
     store(select(finite, ratio, T(0)), to + first);

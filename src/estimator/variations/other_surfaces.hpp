@@ -22,7 +22,7 @@ template <class T>
 class OtherSurfaces {
  public:
   void clear() { any_ = false; }
-  void meet(const medium::MediumView& sea, const surface::Meeting<T>& m) {
+  void meet(const medium::MediumView& sea, const surface::FacetHit<T>& m) {
     using std::abs;
     any_ = sea.environments.other_surface;
     if (!any_) return;

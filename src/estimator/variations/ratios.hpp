@@ -76,7 +76,7 @@ struct Ratios {
     });
   }
   /// Notes that photons of a mask have met the surface.
-  PHOTIC_APART PHOTIC_FLATTEN void met(const medium::MediumView& sea, surface::Meeting<T> meeting,
+  PHOTIC_APART PHOTIC_FLATTEN void met(const medium::MediumView& sea, surface::FacetHit<T> meeting,
                                        Mask<T> mask) {
     surface.meet(sea, meeting);
     for_each_lane(mask, [&](int lane) {

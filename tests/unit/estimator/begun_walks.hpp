@@ -46,7 +46,7 @@ inline Begun begin_walks(const World<double>& world, std::int32_t line, std::int
   tally::Ledger ledger;
   FromLaser<double, tally::Ledger> from_laser{{laser, 0}, world, ledger};
   FromTelescope<double, tally::Ledger> from_telescope{{back, 0}, world, receiver};
-  const auto met = [](bool, const surface::Meeting<double>&) {};
+  const auto met = [](bool, const surface::FacetHit<double>&) {};
   const auto flown = [](bool, const Passage<double>&) {};
   Begun begun;
   BirthRecord<double> of_laser;

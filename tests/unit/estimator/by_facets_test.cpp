@@ -29,7 +29,7 @@ WavesView steep_waves(double whitecaps) {
 constexpr surface::Whitecaps<double> none{};
 constexpr surface::Whitecaps<double> some{0.2, 0.22, 1 - 0.78 / (1.34 * 1.34)};
 
-constexpr auto ignored = [](bool, const surface::Meeting<double>&) {};
+constexpr auto ignored = [](bool, const surface::FacetHit<double>&) {};
 
 /// Mean over walks, and its error.
 struct Mean {

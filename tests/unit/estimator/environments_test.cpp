@@ -152,7 +152,7 @@ TEST(Environments, LoseWhatIsNotFinite) {
   estimator::PathRatios<double> paths(view.environments, 1);
   paths.of(0).begin(view.environments);
   paths.of(0).product[1] = 1e300;
-  paths.of(0).deeper[1] = -100;
+  paths.of(0).excess_tau[1] = -100;
   std::vector<double> ratio(static_cast<std::size_t>(view.environments.stride), 7.0);
   const auto lost = estimator::complete<double>(
       view, {}, 0, [&](std::int32_t e) { return paths.at(0, e); }, ratio.data());

@@ -43,7 +43,7 @@ TEST(Importance, SplitsAndKillsInItsRatio) {
     double photons = 0;
     constexpr int trials = 20000;
     for (int i = 0; i < trials; ++i) {
-      Travellers<double> t(world);
+      ForwardTracks<double> t(world);
       t.place = {7, static_cast<std::uint64_t>(i), 4};
       t.photon.weight = 0.8;
       t.photon.position = {0, 0, -after};

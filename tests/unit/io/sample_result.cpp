@@ -274,7 +274,7 @@ tally::Shape sample_shape(std::size_t environments) {
   shape.grids = tally::echo_grids(7, {"elastic", "raman", "chlorophyll"}, depth_edges());
   shape.gates = gates;
   shape.environments = environments;
-  shape.walked = tally::kinds_of_walked;
+  shape.techniques = tally::kinds_of_technique;
   return shape;
 }
 

@@ -39,8 +39,8 @@ TEST(Sensitivity, IsAValueAndTheWaterAStepToEitherSide) {
   EXPECT_EQ(scene.sensitivity[1].value, 0.9);
   EXPECT_DOUBLE_EQ(scene.sensitivity[1].above.sea.layer.at(1).phase_function->g, 0.9009);
   EXPECT_EQ(scene.sea, base.sea);
-  EXPECT_TRUE(scene.compares());
-  EXPECT_FALSE(base.compares());
+  EXPECT_TRUE(scene.has_environments());
+  EXPECT_FALSE(base.has_environments());
 }
 
 // Seen red, each for itself: with steps in the file's own text, which has no defaults; with steps

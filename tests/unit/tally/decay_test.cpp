@@ -152,7 +152,7 @@ TEST(BatchTally, SpreadsWhatDecaysInEnvironments) {
   ratios[0] = 2;
   ratios[1] = 0.5;
   const Score score{0, 2, 1, 7, t.path_in(1), 0.5};
-  t.batch.score(score, t.batch.places(score.path, score.depth), ratios.data());
+  t.batch.score(score, t.batch.bins(score.path, score.depth), ratios.data());
   const auto shares = shares_of(60, t.gates, t.path_in(1));
   for (std::size_t g = 0; g < 4; ++g) {
     EXPECT_EQ(t.batch.environment[2 * 4 + g].echo[0], shares.at(g));

@@ -36,7 +36,7 @@ TEST(EnvironmentScores, HaveTheirShareOfWhatHasNotBeenSeen) {
     for (int k = 0; k < 100; ++k) {
       const double value = 1e-6 * std::pow(random.uniform(), -1 / 1.5);
       const Score score{0, 0, 1, 2.5, t.path_in(0), value};
-      t.batch.score(score, t.batch.places(score.path, score.depth), ratio.data());
+      t.batch.score(score, t.batch.bins(score.path, score.depth), ratio.data());
     }
     t.end_batch(2000);
   }
@@ -57,7 +57,7 @@ TEST(EnvironmentFlags, WhatIsNegligibleIsMeasuredByTheDifference) {
       for (int k = 0; k < 400; ++k) {
         ratio.fill(k % 2 == 0 ? 1.1 : odd);
         const Score score{0, 0, 1, 2.5, t.path_in(0), 1e-6};
-        t.batch.score(score, t.batch.places(score.path, score.depth), ratio.data());
+        t.batch.score(score, t.batch.bins(score.path, score.depth), ratio.data());
       }
       t.end_batch(2000);
     }
@@ -79,7 +79,7 @@ std::vector<std::int32_t> flags_with_large_scores_in(const std::vector<std::int3
         const std::array<double, EnvironmentScores::size> ratio{large ? 1e4 : 1.1 + 1e-3 * k};
         const Score score{
             0, 0, 1, 5.0 * gate + 2.5, t.path_in(gate), random.between(0.5e-3, 1.5e-3)};
-        t.batch.score(score, t.batch.places(score.path, score.depth), ratio.data());
+        t.batch.score(score, t.batch.bins(score.path, score.depth), ratio.data());
       }
     }
     t.end_batch(2000);

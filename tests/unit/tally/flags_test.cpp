@@ -221,9 +221,9 @@ TEST(Flags, HeavyTailOfFewScores) {
 /// whose tail has such an index.
 void add_beside_quiet_scores(Tallies& t, double index, int scores, test::Random& random) {
   for (int b = 0; b < 64; ++b) {
-    for (int k = 0; k < 100; ++k) t.score(0, 1e-4 * random.between(0.9, 1.1), Walked::laser);
+    for (int k = 0; k < 100; ++k) t.score(0, 1e-4 * random.between(0.9, 1.1), Technique::laser);
     for (int k = 0; k < scores; ++k)
-      t.score(0, std::min(0.5, 3e-7 * std::pow(random.uniform(), -1 / index)), Walked::both);
+      t.score(0, std::min(0.5, 3e-7 * std::pow(random.uniform(), -1 / index)), Technique::both);
     t.end_batch(1000);
   }
 }
@@ -240,7 +240,7 @@ TEST(Flags, HeavyTailOfSomeWalksIsNotHiddenByOthers) {
   constexpr int runs = 50;
   int heavy = 0, light = 0, wrong = 0;
   for (int run = 0; run < runs; ++run) {
-    Tallies t(0, 0, kinds_of_walked), u(0, 0, kinds_of_walked);
+    Tallies t(0, 0, kinds_of_technique), u(0, 0, kinds_of_technique);
     add_beside_quiet_scores(t, index, 100, random);
     add_beside_quiet_scores(u, 4, 100, random);
     const Result r = t.result();
@@ -258,7 +258,7 @@ TEST(Flags, HeavyTailOfSomeWalksIsNotHiddenByOthers) {
 TEST(Flags, BeamMissed) {
   const auto flags_of = [](int scores, std::int32_t max_order) {
     test::Random random(14);
-    Tallies t(max_order, 0, kinds_of_walked);
+    Tallies t(max_order, 0, kinds_of_technique);
     add_beside_quiet_scores(t, 4, scores, random);
     return flags(t);
   };
@@ -270,12 +270,13 @@ TEST(Flags, BeamMissed) {
 
 /// Of a gate in 64 batches: a hundred scores of no walk that add up to an echo, and so many of each
 /// of the given walks that add up to a share of it.
-std::int32_t flags_beside_histories(double share, int scores, std::initializer_list<Walked> walks) {
-  Tallies t(0, 0, kinds_of_walked);
+std::int32_t flags_beside_histories(double share, int scores,
+                                    std::initializer_list<Technique> walks) {
+  Tallies t(0, 0, kinds_of_technique);
   for (int b = 0; b < 64; ++b) {
-    for (int k = 0; k < 100; ++k) t.score(0, steady(b) / 100, Walked::none);
-    for (const Walked walked : walks)
-      for (int k = 0; k < scores; ++k) t.score(0, share * steady(b) / scores, walked);
+    for (int k = 0; k < 100; ++k) t.score(0, steady(b) / 100, Technique::none);
+    for (const Technique technique : walks)
+      for (int k = 0; k < scores; ++k) t.score(0, share * steady(b) / scores, technique);
     t.end_batch(1000);
   }
   return flags(t);
@@ -286,11 +287,11 @@ std::int32_t flags_beside_histories(double share, int scores, std::initializer_l
 // was; with any rest judged; with the scores of telescopes' walks left out of the rest.
 TEST(Flags, BeamMissedJudgesTheLightOfWalks) {
   EXPECT_EQ(flags_beside_histories(0, 0, {}), 0);
-  EXPECT_EQ(flags_beside_histories(4e-4, 10, {Walked::laser}), 0);
-  EXPECT_EQ(flags_beside_histories(3e-3, 10, {Walked::laser}), beam_missed);
-  EXPECT_EQ(flags_beside_histories(3e-3, 10, {Walked::laser, Walked::both}), 0);
-  EXPECT_EQ(flags_beside_histories(4e-4, 3, {Walked::telescope}), 0);
-  EXPECT_EQ(flags_beside_histories(3e-3, 3, {Walked::telescope}), beam_missed);
+  EXPECT_EQ(flags_beside_histories(4e-4, 10, {Technique::laser}), 0);
+  EXPECT_EQ(flags_beside_histories(3e-3, 10, {Technique::laser}), beam_missed);
+  EXPECT_EQ(flags_beside_histories(3e-3, 10, {Technique::laser, Technique::both}), 0);
+  EXPECT_EQ(flags_beside_histories(4e-4, 3, {Technique::telescope}), 0);
+  EXPECT_EQ(flags_beside_histories(3e-3, 3, {Technique::telescope}), beam_missed);
 }
 
 // Calm batches, then ones that scatter ten times as much. Seen red: with the error not scaled by

@@ -11,7 +11,7 @@ namespace {
 
 /// Four telescopes, with an environment; if their views nest, 3 within 1 within 0.
 Shape shape_of_four(bool nested) {
-  Shape shape = Tallies::make_shape(2, 1, kinds_of_walked);
+  Shape shape = Tallies::make_shape(2, 1, kinds_of_technique);
   shape.telescopes = 4;
   if (nested) shape.wider = {std::nullopt, 0, std::nullopt, 1};
   return shape;
@@ -32,9 +32,9 @@ void add_scores(Tallies& nested, Tallies& each, test::Random& random, std::size_
                 20 * random.uniform(),
                 0,
                 (1 + below(8)) / 64.0,
-                below(2) == 0 ? Walked::laser : Walked::both};
+                below(2) == 0 ? Technique::laser : Technique::both};
     score.path = nested.path_in(below(4));
-    const auto at = nested.batch.places(score.path, score.depth);
+    const auto at = nested.batch.bins(score.path, score.depth);
     nested.batch.score(score, at, ratio.data());
     for (const std::size_t telescope : seen_by[narrowest]) {
       score.telescope = telescope;
@@ -57,7 +57,7 @@ void expect_same(const BatchTally& a, const BatchTally& b) {
     EXPECT_EQ(a.cells[k].largest, b.cells[k].largest);
     EXPECT_EQ(a.cells[k].cut_order, b.cells[k].cut_order);
     EXPECT_EQ(a.cells[k].scores, b.cells[k].scores);
-    for (std::size_t kind = 0; kind < kinds_of_walked; ++kind)
+    for (std::size_t kind = 0; kind < kinds_of_technique; ++kind)
       EXPECT_EQ(a.octaves[kind][k], b.octaves[kind][k]);
   }
   for (std::size_t k = 0; k < a.environment.size(); ++k) {

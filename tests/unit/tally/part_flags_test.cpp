@@ -119,15 +119,16 @@ TEST(PartFlags, HeavyTailOfFewScores) {
 // with the flag of the gate for all of its parts.
 TEST(PartFlags, BeamMissedIsOfLightThatWalksCarry) {
   for (const bool beside : {false, true}) {
-    Shape shape = Tallies::make_shape(0, 0, kinds_of_walked);
+    Shape shape = Tallies::make_shape(0, 0, kinds_of_technique);
     shape.grid("echo_by_process").beside_walks = {beside, false, false};
     Tallies t(shape);
     test::Random random(42);
     for (int b = 0; b < 64; ++b) {
       for (const std::int32_t order : {0, 1}) {
-        const Walked walked = order == 0 ? Walked::none : Walked::laser;
+        const Technique technique = order == 0 ? Technique::none : Technique::laser;
         const double value = 1e-5 * random.between(0.9, 1.1);
-        for (int k = 0; k < 50; ++k) t.batch.score({0, 0, order, 2.5, t.path_in(0), value, walked});
+        for (int k = 0; k < 50; ++k)
+          t.batch.score({0, 0, order, 2.5, t.path_in(0), value, technique});
       }
       t.end_batch(1000);
     }

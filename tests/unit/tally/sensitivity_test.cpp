@@ -15,7 +15,7 @@ struct Tangent : Tallies {
   void add(double score, double change) {
     const double ratios[EnvironmentScores::size] = {2.0, 1 + change / score};
     const Score one{0, 0, 1, 2.5, path_in(0), score};
-    batch.score(one, batch.places(one.path, one.depth), ratios);
+    batch.score(one, batch.bins(one.path, one.depth), ratios);
   }
 
   [[nodiscard]] Result result() const {

@@ -14,8 +14,9 @@ namespace photic::tally {
 /// Two telescopes; channel 0 counts line 0, channel 1 line 1, channel 2 lines 1 and 2; four gates
 /// of 5 m; orders 0, 1, 2 and above.
 struct Tallies {
-  explicit Tallies(std::int32_t max_order = 0, std::size_t environments = 0, std::size_t walked = 1)
-      : Tallies(make_shape(max_order, environments, walked)) {}
+  explicit Tallies(std::int32_t max_order = 0, std::size_t environments = 0,
+                   std::size_t techniques = 1)
+      : Tallies(make_shape(max_order, environments, techniques)) {}
   explicit Tallies(Shape of)
       : shape(std::move(of)), gates(scene(), lines()), batch(shape, gates), totals(shape) {}
   Tallies(const Tallies&) = delete;  // batch and totals point to the shape
@@ -27,9 +28,10 @@ struct Tallies {
     return scene;
   }
 
-  static Shape make_shape(std::int32_t max_order, std::size_t environments, std::size_t walked) {
+  static Shape make_shape(std::int32_t max_order, std::size_t environments,
+                          std::size_t techniques) {
     Shape shape;
-    shape.walked = walked;
+    shape.techniques = techniques;
     shape.environments = environments;
     shape.telescopes = 2;
     shape.channels = 3;
@@ -52,8 +54,8 @@ struct Tallies {
     batch.score({telescope, light, order, 5.0 * gate + 2.5, path_in(gate), value});
   }
   /// The same, of a path that is made of such walks.
-  void score(std::int32_t gate, double value, Walked walked) {
-    batch.score({0, 0, 1, 5.0 * gate + 2.5, path_in(gate), value, walked});
+  void score(std::int32_t gate, double value, Technique technique) {
+    batch.score({0, 0, 1, 5.0 * gate + 2.5, path_in(gate), value, technique});
   }
 
   /// What the batch scored on a grid, [cell][cell of the grid].

@@ -25,8 +25,8 @@ using Targets = transport::Targets<T, target_capacity>;
 
 /// Photons on their way, one in each lane, and the event that they are in.
 template <class T>
-struct Travellers : Track<T> {
-  explicit Travellers(const World<T>& world)
+struct ForwardTracks : Track<T> {
+  explicit ForwardTracks(const World<T>& world)
       : place{world.key, {}, {}}, lens(world.single_rays ? world.groups.size() : 0) {}
 
   RandomPlace<T> place;
@@ -64,8 +64,8 @@ bool by_waves(const World<T>& world, const geometry::Region<T>& region, geometry
 /// Returns whether a group of telescopes may see a point, by the points of the lenses that take
 /// part in local estimates of single rays.
 template <class T>
-Mask<T> near_view(const World<T>& world, std::size_t g, const Vec3<T>& position,
-                  const Index<T>& line, const std::vector<instrument::PlanePoint<T>>& lens) {
+Mask<T> may_be_seen(const World<T>& world, std::size_t g, const Vec3<T>& position,
+                    const Index<T>& line, const std::vector<instrument::PlanePoint<T>>& lens) {
   const auto& telescope = world.groups[g].widest;
   if (world.sea.waves.rough) return Mask<T>(true);  // a steep facet may lead light from anywhere
   return world.single_rays ? transport::may_see(world.sea, telescope, position, line, lens[g])

@@ -44,33 +44,33 @@ class WalkTracer {
   /// The next walks, as many as there are lanes.
   void births(std::size_t first, std::size_t left) {
     const Mask<T> exist = first_lanes<T>(left);
-    Walker<T> walker;
+    WalkTrack<T> track;
     // Lanes without a walk draw the numbers of another: beyond the batch there are none.
-    walker.walk = select(exist, Index<T>(first) + lane_numbers<T>(), Index<T>(first));
+    track.walk = select(exist, Index<T>(first) + lane_numbers<T>(), Index<T>(first));
     BirthRecord<T> record;
-    if (world_.compares) [[unlikely]]
-      begin_ratios(walker.walk, exist);
-    const auto met = [&](const Mask<T>& mask, const surface::Meeting<T>& meeting) {
+    if (world_.has_environments) [[unlikely]]
+      begin_ratios(track.walk, exist);
+    const auto met = [&](const Mask<T>& mask, const surface::FacetHit<T>& meeting) {
       if (world_.sea.environments.other_surface)
-        meet_surface(world_.sea, walks_, walker.walk, Index<T>(0), meeting, Mask<T>(mask & exist));
+        meet_surface(world_.sea, walks_, track.walk, Index<T>(0), meeting, Mask<T>(mask & exist));
     };
     const auto flown = [&](const Mask<T>& mask, const Passage<T>& way) {
-      if (world_.compares) pass_ratios(walker.walk, Mask<T>(mask & exist), way);
+      if (world_.has_environments) pass_ratios(track.walk, Mask<T>(mask & exist), way);
     };
-    const auto birth = source_.birth(walker.walk, exist, record, met, flown);
-    if (world_.compares) [[unlikely]]
-      come_down_ratios(walker.walk, exist, birth);
+    const auto birth = source_.birth(track.walk, exist, record, met, flown);
+    if (world_.has_environments) [[unlikely]]
+      come_down_ratios(track.walk, exist, birth);
     const Mask<T> born = exist & birth.exists;
-    walker.photon = birth.photon;
+    track.photon = birth.photon;
     record.spread = birth.spread;
     record.facets = birth.facets;
     // Walks that do not set out still have a point of the lens.
     const Mask<T> left_out = exist & source_.left_out(birth);
-    walks_.birth(born | left_out, walker.walk, record, {walk_point(birth.photon)});
-    walks_.leave_out(left_out, walker.walk);
-    if (world_.sea.waves.rough) walks_.enter(born | left_out, walker.walk, birth.entry);
+    walks_.birth(born | left_out, track.walk, record, {walk_point(birth.photon)});
+    walks_.leave_out(left_out, track.walk);
+    if (world_.sea.waves.rough) walks_.enter(born | left_out, track.walk, birth.entry);
     waiting_columns_.each(
-        walker, [&](const auto& member, auto* column) { compress(born, member, column); });
+        track, [&](const auto& member, auto* column) { compress(born, member, column); });
     waiting_ = count(born);
     taken_ = 0;
   }
@@ -130,10 +130,10 @@ class WalkTracer {
   Source& source_;
   Walks<T>& walks_;
   tally::BatchTally& tally_;
-  Walker<T> walker_;
+  WalkTrack<T> walker_;
 
   /// Walks that have begun without a lane; readable for as many more.
-  lanes::LaneColumns<T, Walker<T>, 2 * lanes> waiting_columns_;
+  lanes::LaneColumns<T, WalkTrack<T>, 2 * lanes> waiting_columns_;
   std::size_t waiting_ = 0, taken_ = 0;
 };
 
