@@ -5,7 +5,6 @@ usage: quick_tests.py [FOLDER...]; folders as src/tally, tests/unit/tally or tal
 Prints two lines: the targets to build, and a regular expression of the labels of the tests.
 """
 
-import re
 import subprocess
 import sys
 from pathlib import Path

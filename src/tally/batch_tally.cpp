@@ -92,7 +92,9 @@ void BatchTally::add_further(const Grid& grid, std::size_t offset) {
   for (const Axis& axis : grid.axes) {
     stride /= axis.size();
     expect(axis.quantity != Quantity::depth, "parts are not by depth");
-    (axis.quantity == Quantity::order ? out.per_order : out.per_process) = stride;
+    const bool by_order = axis.quantity == Quantity::order;
+    expect(axis.size() == grids[by_order ? 0 : 1].size, "axes of one quantity are the same");
+    (by_order ? out.per_order : out.per_process) = stride;
   }
   further_.push_back(out);
 }

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <span>
 
+#include "core/error.hpp"
 #include "unit/tally/tallies.hpp"
 
 namespace photic::tally {
@@ -12,6 +13,17 @@ namespace {
 
 double sum(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+// Seen red: with an axis of fewer orders taken.
+TEST(BatchTally, HasOneAxisOfAQuantity) {
+  Shape shape = Tallies::make_shape(0, 0, 1);
+  Grid grid = shape.grids[1];
+  grid.axes.push_back(shape.grids[0].axes[0]);
+  shape.grids.push_back(grid);
+  EXPECT_NO_THROW(Tallies{shape});
+  --shape.grids.back().axes.back().count;
+  EXPECT_THROW(Tallies{shape}, ContractViolation);
 }
 
 // [telescope][channel][gate], then order, process or depth. Seen red: with orders counted from 1;
