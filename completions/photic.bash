@@ -1,4 +1,4 @@
-# bash completion of photic. The program itself tells what may come next: words, or "*.toml" for files of that name.
+# bash completion of photic. The program itself lists what may come next: words, or "*.toml" for files of that name.
 _photic() {
   local line word part words=()
   # bash takes words apart at '=' and ':'; the program gets them whole.

@@ -1,4 +1,4 @@
-# fish completion of photic. The program itself tells what may come next: words, or "*.toml" for files of that name.
+# fish completion of photic. The program itself lists what may come next: words, or "*.toml" for files of that name.
 function __photic_candidates
     set -l words (commandline -opc) (commandline -ct)
     for line in ($words[1] complete -- $words[2..-1] 2>/dev/null)
