@@ -64,11 +64,15 @@ def scene_of(result):
 
 def _named(dataset):
     """Echoes by the names of telescopes, channels and processes."""
-    for axis in [axis for axis in dataset.dims if axis + "_name" in dataset]:
+    named = [axis for axis in dataset.dims if axis + "_name" in dataset]
+    for axis in dict.fromkeys(["telescope", "channel", "process", *named]):
+        if axis + "_name" not in dataset and axis in dataset.coords:
+            continue  # a dataset of this function, written by xarray
         names = dataset[axis + "_name"]
         dataset = dataset.assign_coords({axis: (axis, names.values.astype(str), names.attrs)})
         dataset = dataset.drop_vars(axis + "_name")
-    for name in [name for name in dataset.data_vars if name == "converged" or name.endswith("_converged")]:
+    parts = [name for name in dataset.data_vars if name.endswith("_converged")]
+    for name in ["converged", *parts]:
         # With bytes, ~ds.converged would be true everywhere.
         converged = dataset[name].astype(bool)
         converged.attrs = {"long_name": dataset[name].attrs["long_name"]}
