@@ -212,9 +212,9 @@ void add_echoes(NetcdfImage& file, const tally::Result& result) {
       for (const tally::Axis& axis : axes) methods += fmt::format(" {}: sum", axis.name);
     else
       flags = fmt::format(" {0}_converged {0}_convergence_flags", name);
-    add_estimates(file, name, dimensions_of(grid.grid), grid, echo_meaning + ", " + long_name,
-                  methods, flags, coordinates_of(grid.grid),
-                  profile ? Precision::single : Precision::full);
+    add_estimates(file, name, dimensions_of(grid.grid), grid,
+                  fmt::format("{}, {}", echo_meaning, long_name), methods, flags,
+                  coordinates_of(grid.grid), profile ? Precision::single : Precision::full);
   }
 }
 

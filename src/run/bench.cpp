@@ -213,8 +213,7 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   if (const auto reason = scene::bidirectional_lacks(scene))
     throw InputError(
         {{"", 0, 0,
-          "photic bench compares the estimators, and the bidirectional one cannot treat " +
-              *reason,
+          "photic bench compares the estimators, and the bidirectional one cannot treat " + *reason,
           "compare them with sea.surface = { model = \"flat\" }"}});
   Comparison out;
   out.repeats = repeat_count;

@@ -23,7 +23,8 @@ Index<T> touched_at(const medium::MediumView& sea, const Index<T>& layer, const 
 
 /// A line and what its light has touched, as tallies count them: an index [touched][line].
 template <class T>
-Index<T> component_of(const medium::MediumView& sea, const Index<T>& line, const Index<T>& touched) {
+Index<T> component_of(const medium::MediumView& sea, const Index<T>& line,
+                      const Index<T>& touched) {
   if (sea.bed_angles == 0 && !sea.waves.rough && !sea.upside_down) return line;
   return touched * Index<T>(sea.lines) + line;
 }

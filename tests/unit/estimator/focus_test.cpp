@@ -27,7 +27,9 @@ Texts remarks_on(const std::string& text) {
   return scene::read_scene_text(text, "scene.toml", "/", {}, optics_check()).remarks;
 }
 
-Texts focus_of(const std::string& text) { return reported_focus(make_model(scene::read_text(text))); }
+Texts focus_of(const std::string& text) {
+  return reported_focus(make_model(scene::read_text(text)));
+}
 
 /// 12 m above the sea, with a lens of 0.4 m and f = 2 m.
 const std::string above =
