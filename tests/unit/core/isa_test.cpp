@@ -23,7 +23,9 @@ TEST(Isa, RunsHereIfBuiltAndOfThisProcessor) {
   for (std::size_t i = 0; i < isas.size(); ++i) {
     const bool runs = is_built(isas.at(i)) && is_of_processor(isas.at(i));
     EXPECT_EQ(std::ranges::count(here, isas.at(i)), runs ? 1 : 0);
-    if (i > 0 && is_of_processor(isas.at(i))) EXPECT_TRUE(is_of_processor(isas.at(i - 1)));
+    if (i > 0 && is_of_processor(isas.at(i))) {
+      EXPECT_TRUE(is_of_processor(isas.at(i - 1)));
+    }
   }
 }
 
