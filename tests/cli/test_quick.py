@@ -22,7 +22,7 @@ def chosen(*folders):
     ],
 )
 def test_folders_and_the_floors_that_include_them(folder, labels):
-    # Seen red: with the floors below; with the floors above for a test, too.
+    # Seen red: without the floors above; with the floors above for a test, too.
     targets, expression = chosen(folder).stdout.splitlines()
     assert expression == f"^({'|'.join('unit/' + label for label in labels.split())})$"
     assert targets == " ".join(f"tests/unit/{label}/all" for label in labels.split())
