@@ -13,8 +13,8 @@ TEST(Isa, HasAName) {
   EXPECT_FALSE(isa_of("sse9"));
 }
 
-// Each set needs the ones before it; some may not have been built. Seen red: with all that were
-// built taken for those that run here.
+// Each set needs the ones before it; some may not have been built. Seen red: with those of the
+// processor taken for those that run here.
 TEST(Isa, RunsHereIfBuiltAndOfThisProcessor) {
   const auto here = isas_here();
   ASSERT_FALSE(here.empty());
