@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "estimator/make_world.hpp"
 #include "estimator/model.hpp"
 #include "estimator/random_blocks.hpp"
-#include "estimator/world.hpp"
 
 namespace photic::estimator {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <span>
 #include <string>
@@ -25,6 +26,9 @@ using Attributes = std::vector<std::pair<std::string, AttributeValue>>;
 using Values = std::variant<std::span<const double>, std::span<const float>,
                             std::span<const std::int32_t>, std::span<const std::int8_t>,
                             std::span<const std::uint64_t>, std::span<const std::string>>;
+
+/// The number that stands where a file has none.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Blocks of zeros are written to the file, or left out of it and read as the fill value, 0. The
 /// latter takes next to no time, and is for values that no other program reads.

@@ -2,143 +2,23 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <chrono>
 #include <limits>
-#include <numeric>
-#include <set>
 #include <utility>
 
 #include "io/atomic_file.hpp"
 #include "io/netcdf.hpp"
+#include "io/netcdf_axes.hpp"
 #include "io/netcdf_image.hpp"
 #include "io/netcdf_state.hpp"
 
 namespace photic::io {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const std::string echo_meaning = "expected photons detected in the gate per photon emitted";
 
 const std::string usual_coordinates =
     "telescope_name channel_name channel_wavelength gate_time gate_depth";
-
-Attributes operator+(Attributes left, const Attributes& right) {
-  left.insert(left.end(), right.begin(), right.end());
-  return left;
-}
-
-/// Pairs of neighbouring edges, as CF-1.10 section 7.1 wants bounds; `rows` rows of edges after
-/// each other.
-std::vector<double> bounds(const std::vector<double>& edges, std::size_t rows = 1) {
-  const std::size_t per_row = edges.size() / rows;
-  std::vector<double> pairs;
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    if (i % per_row + 1 < per_row) pairs.insert(pairs.end(), {edges[i], edges[i + 1]});
-  return pairs;
-}
-
-std::vector<double> centres(const std::vector<double>& pairs) {
-  std::vector<double> out;
-  for (std::size_t i = 0; i < pairs.size(); i += 2) out.push_back(0.5 * (pairs[i] + pairs[i + 1]));
-  return out;
-}
-
-void add_axes(NetcdfImage& file, const tally::Result& result) {
-  file.add_dimension("telescope", result.telescopes());
-  file.add_dimension("channel", result.channels());
-  file.add_dimension("gate", result.gates());
-  file.add_dimension("bnds", 2);
-  file.add_variable("telescope_name", {"telescope"}, result.telescope_name,
-                    {{"long_name", "name of the telescope"}});
-  file.add_variable("channel_name", {"channel"}, result.channel_name,
-                    {{"long_name", "name of the channel"}});
-  file.add_variable("channel_wavelength", {"channel"}, result.channel_wavelength_nm,
-                    {{"standard_name", "radiation_wavelength"},
-                     {"long_name", "mean wavelength of the light that the channel counts"},
-                     {"units", "nm"},
-                     {"_FillValue", nan},
-                     {"coordinates", "channel_name"}});
-  if (!result.film_attenuation_per_m.empty()) {
-    file.add_variable(
-        "film_attenuation", {"telescope", "channel"}, result.film_attenuation_per_m,
-        {{"long_name",
-          "absorption of the film of oil along the laser's axis down and the telescope's up, per "
-          "thickness"},
-         {"units", "m-1"},
-         {"_FillValue", nan},
-         {"coordinates", "telescope_name channel_name channel_wavelength"}});
-    file.add_variable(
-        "film_interface_ratio", {"telescope", "channel"}, result.film_interface_ratio,
-        {{"long_name",
-          "share of light that passes a film without absorption on these ways, over that which "
-          "passes bare water"},
-         {"units", "1"},
-         {"_FillValue", nan},
-         {"coordinates", "telescope_name channel_name channel_wavelength"}});
-  }
-}
-
-void add_gates(NetcdfImage& file, const tally::Result& result) {
-  // Bounds carry no units: they have those of their variable (CF-1.10, section 7.1).
-  const auto time = bounds(result.gate_time_edge_ns);
-  file.add_variable("gate_time", {"gate"}, centres(time),
-                    {{"long_name", "time from the laser to the telescope, centre of the gate"},
-                     {"units", "ns"},
-                     {"bounds", "gate_time_bounds"}});
-  file.add_variable("gate_time_bounds", {"gate", "bnds"}, time,
-                    {{"long_name", "start and end of the gate"}});
-
-  const auto gate_depth = bounds(result.gate_depth_edge_m, result.telescopes() * result.channels());
-  const std::string quantity =
-      result.gate_depth_is_range ? "range along the axis of the telescope" : "depth";
-  Attributes attributes = {
-      {"long_name",
-       quantity + " from which light scattered once arrives at the centre of the gate"},
-      {"units", "m"},
-      {"_FillValue", nan},
-      {"coordinates", "telescope_name channel_name gate_time"},
-      {"bounds", "gate_depth_bounds"}};
-  if (!result.gate_depth_is_range)
-    attributes = attributes + Attributes{{"standard_name", "depth"}, {"positive", "down"}};
-  file.add_variable("gate_depth", {"telescope", "channel", "gate"}, centres(gate_depth),
-                    attributes);
-  file.add_variable("gate_depth_bounds", {"telescope", "channel", "gate", "bnds"}, gate_depth,
-                    {{"long_name", quantity + " at start and end of the gate"}});
-}
-
-void add_axis(NetcdfImage& file, const tally::Axis& axis) {
-  file.add_dimension(axis.name, axis.size());
-  if (!axis.labels.empty())
-    return file.add_variable(axis.name + "_name", {axis.name}, axis.labels,
-                             {{"long_name", axis.long_name}});
-  if (axis.edges.empty()) {
-    std::vector<std::int32_t> numbers(axis.size());
-    std::iota(numbers.begin(), numbers.end(), 0);
-    return file.add_variable(axis.name, {axis.name}, numbers,
-                             {{"long_name", axis.long_name}, {"units", axis.units}});
-  }
-  const auto pairs = bounds(axis.edges);
-  Attributes attributes{{"long_name", axis.long_name + ", centre of the interval"},
-                        {"units", axis.units},
-                        {"bounds", axis.name + "_bounds"}};
-  for (const auto& [key, value] : axis.attributes) attributes.emplace_back(key, value);
-  file.add_variable(axis.name, {axis.name}, centres(pairs), attributes);
-  const bool down =
-      std::ranges::find(axis.attributes, std::pair<std::string, std::string>("positive", "down")) !=
-      axis.attributes.end();
-  file.add_variable(
-      axis.name + "_bounds", {axis.name, "bnds"}, pairs,
-      {{"long_name", down ? "top and bottom of the interval" : "ends of the interval"}});
-}
-
-/// Adds the axes of all grids, each once.
-void add_axes_of_grids(NetcdfImage& file, const tally::Result& result) {
-  std::set<std::string> known;
-  for (const tally::GridEstimates& grid : result.grids)
-    for (const tally::Axis& axis : grid.grid.axes)
-      if (known.insert(axis.name).second) add_axis(file, axis);
-}
 
 /// The attributes that an estimate, its error and its diagnostics share.
 Attributes dimensionless(const std::string& long_name, const std::string& more_coordinates = "") {

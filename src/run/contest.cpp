@@ -6,9 +6,9 @@
 #include <memory>
 #include <utility>
 
+#include "estimator/make_world.hpp"
 #include "estimator/random_blocks.hpp"
 #include "estimator/walk_attenuation.hpp"
-#include "estimator/world.hpp"
 #include "run/batches.hpp"
 #include "scene/tally_memory.hpp"
 #include "tally/error_bars.hpp"

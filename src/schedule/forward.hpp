@@ -10,6 +10,7 @@
 #include "estimator/air.hpp"
 #include "estimator/forward/beside_walks.hpp"
 #include "estimator/forward/surface_echo.hpp"
+#include "estimator/make_world.hpp"
 #include "schedule/simulator.hpp"
 #include "surface/oil.hpp"
 

@@ -11,6 +11,7 @@
 #include "estimator/air.hpp"
 #include "estimator/analog/analog.hpp"
 #include "estimator/bidirectional/bidirectional.hpp"
+#include "estimator/make_world.hpp"
 #include "schedule/simulator.hpp"
 #include "schedule/spares.hpp"
 

@@ -53,7 +53,7 @@ def test_estimators_are_chosen_as_ever(run, scene, tmp_path):
 
 
 def test_what_does_not_run_here_is_refused(run, photic, scene):
-    # Seen red: with a set that was not built taken for the baseline.
+    # Seen red: with the check left out.
     sets = photic("--version").stdout.splitlines()[2]
     for isa in ("baseline", "avx2", "avx512"):
         if isa not in sets:

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "estimator/make_world.hpp"
 #include "estimator/model.hpp"
-#include "estimator/world.hpp"
 #include "run/batches.hpp"
 #include "support/scalar_engines.hpp"
 #include "support/scenes.hpp"

@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "estimator/air.hpp"
+#include "estimator/make_world.hpp"
 #include "estimator/model.hpp"
 #include "estimator/random_blocks.hpp"
-#include "estimator/world.hpp"
 
 namespace photic::estimator {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "estimator/make_world.hpp"
 #include "estimator/model.hpp"
 #include "support/scenes.hpp"
 

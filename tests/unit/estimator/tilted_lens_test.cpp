@@ -2,6 +2,7 @@
 // and rotations under tilted lasers.
 #include <gtest/gtest.h>
 
+#include "estimator/make_world.hpp"
 #include "estimator/model.hpp"
 #include "support/random.hpp"
 #include "support/scenes.hpp"

@@ -6,6 +6,7 @@
 #include <deque>
 #include <set>
 
+#include "estimator/make_world.hpp"
 #include "estimator/model.hpp"
 #include "support/scenes.hpp"
 

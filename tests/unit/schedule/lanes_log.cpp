@@ -1,6 +1,7 @@
 // The events of a pool of lanes. Compiled for each instruction set.
 #include "core/pack.hpp"
 #include "estimator/analog/analog.hpp"
+#include "estimator/make_world.hpp"
 #include "lanes/lane_ledger.hpp"
 #include "schedule/pool.hpp"
 #include "unit/schedule/event_log.hpp"

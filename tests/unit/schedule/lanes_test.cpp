@@ -18,6 +18,7 @@
 #include "core/error.hpp"
 #include "estimator/analog/analog.hpp"
 #include "estimator/forward/history.hpp"
+#include "estimator/make_world.hpp"
 #include "run/batches.hpp"
 #include "run/choose.hpp"
 #include "run/run.hpp"
