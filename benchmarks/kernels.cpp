@@ -3,7 +3,7 @@
 
 #include "core/random.hpp"
 #include "estimator/model.hpp"
-#include "estimator/world.hpp"
+#include "estimator/make_world.hpp"
 #include "optics/mie.hpp"
 #include "scene/read.hpp"
 #include "transport/connect.hpp"

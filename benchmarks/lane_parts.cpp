@@ -7,6 +7,7 @@
 
 #include "core/pack.hpp"
 #include "estimator/forward/history.hpp"
+#include "estimator/make_world.hpp"
 #include "estimator/model.hpp"
 #include "scene/read.hpp"
 
