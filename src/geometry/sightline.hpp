@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "geometry/crossing.hpp"
-#include "geometry/depths.hpp"
 #include "geometry/region.hpp"
+#include "geometry/segment.hpp"
 #include "medium/medium.hpp"
 #include "surface/flat.hpp"
 
@@ -96,53 +96,18 @@ Sightline<T> sightline(const medium::MediumView& sea, const Vec3<T>& from, const
   return way;
 }
 
-/// Optical depths of a way through the surface from a layer and a depth.
+/// The first `length` in the water of a way from a level there.
 template <class T>
-OpticalDepths<T> depths_through_surface(const Slabs& sea, const Sightline<T>& way,
-                                        const Index<T>& line, const Index<T>& layer,
-                                        const T& depth) {
-  const auto at = sea.level(layer, depth);
-  return {sea.optical_depth(line, at) * way.secant_water,
-          sea.walk_optical_depth(line, at) * way.secant_water};
-}
-/// By way of the surface, from one depth to another.
-template <class T>
-OpticalDepths<T> depths_by_surface(const Slabs& sea, const Index<T>& line, const Index<T>& layer1,
-                                   const T& depth1, const Index<T>& layer2, const T& depth2,
-                                   const T& secant) {
-  const auto from = sea.level(layer1, depth1);
-  const auto to = sea.level(layer2, depth2);
-  return {(sea.optical_depth(line, from) + sea.optical_depth(line, to)) * secant,
-          (sea.walk_optical_depth(line, from) + sea.walk_optical_depth(line, to)) * secant};
-}
-/// The optical depths of the first `length` in the water of a way from a layer and a depth.
-template <class T>
-OpticalDepths<T> depths_along(const Slabs& sea, const Sightline<T>& way, const Index<T>& line,
-                              const Index<T>& layer, const T& depth, const T& length) {
+Segment<T> along(const medium::MediumView& sea, const Sightline<T>& way, const Index<T>& line,
+                 const medium::Level<T>& from, const T& length) {
   using std::abs;
-  if (way.to.in_air) return depths_through_surface(sea, way, line, layer, depth);
-  const Index<T>& end_layer = way.to.layer;
-  if (way.route == Route::mirrored) {
-    const T steep = abs(way.direction.z);
-    return depths_by_surface(sea, line, layer, depth, end_layer, T(length * steep - depth),
-                             T(T(1) / steep));
-  }
-  return depths_between(sea, line, sea.level(layer, depth),
-                        sea.level(end_layer, T(depth - length * way.direction.z)), length);
-}
-/// By how much the air makes these longer than in a vacuum, as group path [m].
-template <class T>
-T air_delay_along(const Slabs& sea, const Sightline<T>& way, const Index<T>& line,
-                  const Index<T>& layer, const T& depth, const T& length) {
-  using std::abs;
-  if (!sea.upside_down || way.to.in_air) [[likely]]
-    return T(0);
-  const auto from = sea.level(layer, depth);
+  if (way.to.in_air) return to_surface(line, from, length, Slant<T>::of_secant(way.secant_water));
   const T risen = length * way.direction.z;
-  return way.route == Route::mirrored
-             ? sea.air_delay_by_surface(line, from, sea.level(way.to.layer, T(abs(risen) - depth)),
-                                        length)
-             : sea.air_delay(line, from, sea.level(way.to.layer, T(depth - risen)), length);
+  if (way.route == Route::direct)
+    return {line, from, sea.level(way.to.layer, T(from.depth - risen)), length};
+  const T steep = abs(way.direction.z);
+  return by_surface(line, from, sea.level(way.to.layer, T(length * steep - from.depth)), length,
+                    Slant<T>::of_secant(T(T(1) / steep)));
 }
 
 }  // namespace photic::geometry

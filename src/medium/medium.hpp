@@ -156,45 +156,21 @@ struct MediumView {
     return slant(c, line, from, to, length);
   }
 
-  /// By how much the air makes such a way longer than in a vacuum, as group path [m].
+  /// By how much the air makes such a way longer than in a vacuum, as group path [m]; where the
+  /// medium is upside down.
   template <class T>
   T air_delay(const Index<T>& line, const Level<T>& from, const Level<T>& to,
               const T& length) const {
-    if (!upside_down) [[likely]]
-      return T(0);
     return slant(delay, line, from, to, length);
   }
-  /// The same by way of the surface, which sends light back there.
+  /// The same from the surface straight down to a level, and of a metre in a layer.
   template <class T>
-  T air_delay_by_surface(const Index<T>& line, const Level<T>& from, const Level<T>& to,
-                         const T& length) const {
-    if (!upside_down) [[likely]]
-      return T(0);
-    const T all = column(delay, line, from).integral + column(delay, line, to).integral;
-    const T depths = from.depth + to.depth;
-    return all * length / select(depths > T(0), depths, T(1));
+  T air_delay_down(const Index<T>& line, const Level<T>& at) const {
+    return column(delay, line, at).integral;
   }
-  /// The length that a metre of a way in a layer counts as [m].
   template <class T>
-  T path_per_metre(const Index<T>& line, const Index<T>& layer) const {
-    const T of_line = gather<T>(group_index, line);
-    if (!upside_down) [[likely]]
-      return of_line;
-    return of_line + gather<T>(delay.first, at(line, layer));
-  }
-  /// The length that a straight way of the given length between two levels counts as [m].
-  template <class T>
-  T group_path(const Index<T>& line, const Level<T>& from, const Level<T>& to,
-               const T& length) const {
-    const T path = length * gather<T>(group_index, line);
-    if (!upside_down) [[likely]]
-      return path;
-    return path + slant(delay, line, from, to, length);
-  }
-  /// From a level straight to the surface.
-  template <class T>
-  T group_path_to_surface(const Index<T>& line, const Level<T>& from, const T& length) const {
-    return group_path(line, from, Level<T>{}, length);
+  T air_delay_per_metre(const Index<T>& line, const Index<T>& layer) const {
+    return gather<T>(delay.first, at(line, layer));
   }
 
   // Rows of the environments' numbers: attenuation less the medium's [1/m], its integral from the

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "geometry/crossing.hpp"
-#include "geometry/depths.hpp"
 #include "geometry/region.hpp"
+#include "geometry/segment.hpp"
 #include "instrument/disc.hpp"
 #include "instrument/lens.hpp"
 #include "medium/medium.hpp"
@@ -21,11 +21,11 @@ template <class T>
 struct Connection {
   Vec3<T> direction;  ///< in which light must leave the point
   T acceptance{};  ///< solid angle about it that ends on the detector, surface losses included [sr]
-  T optical_depth{};  ///< of the way
-  T length_water{};   ///< [m]
-  T secant_air{};     ///< of a way through the surface, 1 over the cosine to the vertical
-  T path{};           ///< length times group index; in the air, what its way there is longer than
-                      ///< from the lens' centre to the origin [m]
+  T optical_depth{};                ///< of the way
+  geometry::Segment<T> in_water{};  ///< its part there; of waves up to the surface
+  T secant_air{};  ///< of a way through the surface, 1 over the cosine to the vertical
+  T path{};        ///< length times group index; in the air, what its way there is longer than
+                   ///< from the lens' centre to the origin [m]
 };
 
 /// The rise to a telescope that a point seems to have from straight above it.
@@ -61,7 +61,7 @@ Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& t
 /// From a photon's position through the surface to a telescope in the air, at the given line.
 /// `may_be_seen`: whether may_see(); nothing is seen elsewhere.
 template <class T>
-Connection<T> connect_through_surface(const medium::MediumView& sea,
+Connection<T> connect_through_surface(const geometry::Slabs& sea,
                                       const instrument::Telescope<T>& telescope,
                                       const Photon<T>& at, const Index<T>& line,
                                       const Mask<T>& may_be_seen) {
@@ -69,7 +69,7 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   Connection<T> way;
   const auto surface = surface::flat_surface<T>(sea, line);
   const T &n = surface.n, &inverse_n = surface.inverse_n;
-  const T depth = -at.position.z;
+  const T depth = geometry::depth_of(at.position);
   const T height = telescope.position.z;
   const T dx = telescope.position.x - at.position.x;
   const T dy = telescope.position.y - at.position.y;
@@ -100,11 +100,13 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
       seen,
       telescope.area() * (safe_towards * cos_air) * overlap * transmitted / area_per_solid_angle,
       T(0));
-  way.optical_depth = sea.optical_depth(line, geometry::level_of(sea, at)) * secant_water;
-  way.length_water = in_water;
+  const auto up = geometry::to_surface(line, geometry::level_of(sea, at), in_water,
+                                       geometry::Slant<T>::of_secant(secant_water));
+  way.optical_depth = geometry::optical_depths(sea, up).all;
+  way.in_water = up;
   way.secant_air = secant_air;
   way.path = longer_way(telescope, geometry::crossed_at(at.position, ray, in_water), {}, in_air) +
-             in_water * gather<T>(sea.group_index, line);
+             geometry::group_path(sea, up);
   return way;
 }
 
@@ -128,43 +130,31 @@ T lens_solid_angle(const instrument::Telescope<T>& telescope, const T& distance,
 
 template <class T>
 Vec3<T> seen_by_route(const Vec3<T>& from, geometry::Route route) {
-  return route == geometry::Route::mirrored ? Vec3<T>{from.x, from.y, T(0) - from.z} : from;
+  return route == geometry::Route::mirrored ? geometry::mirror_image(from) : from;
 }
-/// Light of a line that leaves a place in a layer by a route.
-template <class T>
-struct Departure {
-  Index<T> line, layer;
-  Vec3<T> position;
-  geometry::Route route = geometry::Route::direct;
-};
-/// The path of a way to a point of the lens that stays in the medium of the telescope, which stands
-/// in a layer.
+/// The path of a way from a place, by a segment to a point of the lens, that stays in the medium of
+/// the telescope.
 template <class T>
 T path_within(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
-              const Index<T>& telescope_layer, const Departure<T>& from,
-              const instrument::PlanePoint<T>& lens, const T& length) {
-  const T path = telescope.above_air
-                     ? longer_way(telescope, seen_by_route(from.position, from.route), lens, length)
-                     : length * gather<T>(sea.group_index, from.line);
-  if (!sea.upside_down) [[likely]]
-    return path;
-  const auto level = sea.level(from.layer, T(-from.position.z));
-  const auto at_lens = sea.level(telescope_layer, T(-in_space(telescope, lens).z));
-  return path + (from.route == geometry::Route::mirrored
-                     ? sea.air_delay_by_surface(from.line, level, at_lens, length)
-                     : sea.air_delay(from.line, level, at_lens, length));
+              const Vec3<T>& from, const geometry::Segment<T>& way,
+              const instrument::PlanePoint<T>& lens) {
+  if (!telescope.above_air) return geometry::group_path(sea, way);
+  const auto route = way.course == geometry::Course::by_surface ? geometry::Route::mirrored
+                                                                : geometry::Route::direct;
+  return geometry::group_path(sea, way,
+                              longer_way(telescope, seen_by_route(from, route), lens, way.length));
 }
 
 /// From a photon's position to a telescope in a layer of the water, at the given line.
 template <class T>
-Connection<T> connect_in_water(const medium::MediumView& sea,
+Connection<T> connect_in_water(const geometry::Slabs& sea,
                                const instrument::Telescope<T>& telescope,
                                const Index<T>& telescope_layer, const Photon<T>& at,
                                const Index<T>& line, geometry::Route route) {
   using std::abs;
   using std::sqrt;
   const bool mirrored = route == geometry::Route::mirrored;
-  const T telescope_depth = -telescope.position.z;
+  const T telescope_depth = geometry::depth_of(telescope.position);
   const Vec3<T> target{telescope.position.x, telescope.position.y,
                        mirrored ? telescope_depth : telescope.position.z};
   const Vec3<T> way_there = target - at.position;
@@ -187,12 +177,12 @@ Connection<T> connect_in_water(const medium::MediumView& sea,
   const T steep = abs(way.direction.z);
   const auto from = geometry::level_of(sea, at);
   const auto to = sea.level(telescope_layer, telescope_depth);
-  way.optical_depth = mirrored
-                          ? (sea.optical_depth(line, from) + sea.optical_depth(line, to)) / steep
-                          : sea.slant_optical_depth(line, from, to, distance);
-  way.length_water = distance;
-  way.path = path_within(sea, telescope, telescope_layer, {line, at.layer, at.position, route}, {},
-                         distance);
+  const auto there = mirrored ? geometry::by_surface(line, from, to, distance,
+                                                     geometry::Slant<T>::of_cosine(steep))
+                              : geometry::Segment<T>{line, from, to, distance};
+  way.optical_depth = geometry::optical_depths(sea, there).all;
+  way.in_water = there;
+  way.path = path_within(sea, telescope, at.position, there, {});
   const T reflected = mirrored ? surface::flat_surface<T>(sea, line).reflectance(steep) : T(1);
   way.acceptance =
       select(seen, lens_solid_angle(telescope, distance, safe_cos) * overlap * reflected, T(0));
@@ -201,7 +191,7 @@ Connection<T> connect_in_water(const medium::MediumView& sea,
 
 /// By one of the routes to the region where the telescope stands. `may_be_seen`: whether may_see().
 template <class T>
-Connection<T> connect(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+Connection<T> connect(const geometry::Slabs& sea, const instrument::Telescope<T>& telescope,
                       const geometry::Region<T>& region, const Photon<T>& at, const Index<T>& line,
                       geometry::Route route, const Mask<T>& may_be_seen) {
   if (!region.in_air) return connect_in_water(sea, telescope, region.layer, at, line, route);

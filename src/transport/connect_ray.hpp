@@ -18,14 +18,13 @@ T longer_in_air(const instrument::Telescope<T>& telescope, const geometry::Sight
          way.to.delay(line, way.arriving.z);
 }
 
-/// The path of its part in the water, from a place in a layer there.
+/// The path of its part in the water, by a segment from a place there.
 template <class T>
 T path_in_water(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
-                const geometry::Sightline<T>& way, const Index<T>& line, const Index<T>& layer,
-                const Vec3<T>& from, const instrument::PlanePoint<T>& lens) {
-  if (way.to.in_air) return way.length_water * gather<T>(sea.group_index, line);
-  return path_within(sea, telescope, way.to.layer, {line, layer, from, way.route}, lens,
-                     way.length_water);
+                const geometry::Sightline<T>& way, const Vec3<T>& from,
+                const geometry::Segment<T>& in_water, const instrument::PlanePoint<T>& lens) {
+  if (way.to.in_air) return geometry::group_path(sea, in_water);
+  return path_within(sea, telescope, from, in_water, lens);
 }
 
 /// A connection to one point of the lens.
@@ -48,14 +47,14 @@ RayConnection<T> connect_ray(const geometry::Slabs& sea, const instrument::Teles
   connection.direction = way.direction;
   const Mask<T> detected = way.exists & seen.on_detector;
   if (!any(detected)) return connection;
-  const auto tau =
-      geometry::depths_along(sea, way, line, at.layer, T(-at.position.z), way.length_water);
+  const auto in_water =
+      geometry::along(sea, way, line, geometry::level_of(sea, at), way.length_water);
   connection.acceptance = select(
       detected, telescope.area() * seen.cos_off_axis * way.throughput / way.area_per_solid_angle,
       T(0));
-  connection.optical_depth = tau.all;
-  connection.length_water = way.length_water;
-  connection.path = path_in_water(sea, telescope, way, line, at.layer, at.position, lens) +
+  connection.optical_depth = geometry::optical_depths(sea, in_water).all;
+  connection.in_water = in_water;
+  connection.path = path_in_water(sea, telescope, way, at.position, in_water, lens) +
                     longer_in_air(telescope, way, line, lens);
   return connection;
 }

@@ -11,16 +11,24 @@
 
 namespace photic::transport {
 
+/// The part in the water of a way from the surface straight to a point of the lens there.
+template <class T>
+geometry::Segment<T> from_surface_in_water(const medium::MediumView& sea,
+                                           const geometry::Region<T>& region, const Index<T>& line,
+                                           const FromSurface<T>& way) {
+  return geometry::to_surface(line, sea.level(region.layer, way.depth()), way.length,
+                              geometry::Slant<T>::of_cosine(T(-way.direction.z)));
+}
 /// Optical depth from the surface straight to a point of the lens.
 template <class T>
-T depth_to_lens(const medium::MediumView& sea, const geometry::Region<T>& region,
-                const Index<T>& line, const FromSurface<T>& way) {
+T depth_to_lens(const geometry::Slabs& sea, const geometry::Region<T>& region, const Index<T>& line,
+                const FromSurface<T>& way) {
   if (region.in_air) {
     if (!region.air.exists()) [[likely]]
       return T(0);
     return gather<T>(region.air.optical_depth, line) / way.rising_cosine();
   }
-  return sea.optical_depth(line, sea.level(region.layer, way.depth())) / -way.direction.z;
+  return geometry::optical_depths(sea, from_surface_in_water(sea, region, line, way)).all;
 }
 /// Its path as telescopes count it.
 template <class T>
@@ -30,7 +38,7 @@ T path_to_telescope(const medium::MediumView& sea, const instrument::Telescope<T
                     const FromSurface<T>& way) {
   if (region.in_air)
     return longer_way(telescope, at, lens, way.length) + region.delay(line, way.rising_cosine());
-  return path_within(sea, telescope, region.layer, {line, Index<T>(0), at}, lens, way.length);
+  return path_within(sea, telescope, at, from_surface_in_water(sea, region, line, way), lens);
 }
 
 /// `meeting`: at the surface; known where environments have other surfaces.
@@ -38,7 +46,7 @@ template <class T>
 struct SurfaceConnection : RayConnection<T> {
   surface::FacetHit<T> meeting;
 };
-/// `direction` is that to the surface, and `length_water` so far.
+/// `direction` and `in_water` are those to the surface.
 template <class T>
 struct WavesConnection : SurfaceConnection<T> {
   FromSurface<T> onward;
@@ -137,7 +145,6 @@ WavesConnection<T> connect_by_waves(const geometry::Slabs& sea,
   out.onward = point.onward;
   out.sight = point.onward.sight;
   out.direction = point.arriving;
-  out.length_water = point.length;
   if (sea.environments.other_surface)
     out.meeting =
         surface::meeting_of(surface, Mask<T>(false), back, point.arriving, point.onward.direction);
@@ -149,10 +156,12 @@ WavesConnection<T> connect_by_waves(const geometry::Slabs& sea,
                           point.value * (point.arriving.z / (l1 * l1)) *
                               (telescope.area() * out.sight.cos_off_axis / (l2 * l2)),
                           T(0));
-  const auto level_there = geometry::level_of(sea, photon);
-  out.optical_depth = sea.optical_depth(line, level_there) / out.direction.z +
-                      depth_to_lens(sea, region, line, point.onward);
-  out.path = sea.group_path_to_surface(line, level_there, l1) +
+  const auto up = geometry::to_surface(line, geometry::level_of(sea, photon), l1,
+                                       geometry::Slant<T>::of_cosine(out.direction.z));
+  out.in_water = up;
+  out.optical_depth =
+      geometry::optical_depths(sea, up).all + depth_to_lens(sea, region, line, point.onward);
+  out.path = geometry::group_path(sea, up) +
              path_to_telescope(sea, telescope, region, line, lens, point.at, point.onward);
   return out;
 }
@@ -196,7 +205,7 @@ SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
       per_solid_angle * telescope.area() * way.sight.cos_off_axis / (way.length * way.length),
       T(0));
   out.optical_depth = depth_to_lens(sea, region, photon.line, way);
-  out.length_water = region.in_air ? T(0) : way.length;
+  if (!region.in_air) out.in_water = from_surface_in_water(sea, region, photon.line, way);
   out.path = path_to_telescope(sea, telescope, region, photon.line, lens, photon.position, way);
   return out;
 }
@@ -235,7 +244,7 @@ RayConnection<T> connect_in_line(const geometry::Slabs& sea,
                               surface::gaussian_along(axes.deviation, s),
                           T(0));
   out.optical_depth = depth_to_lens(sea, region, photon.line, way);
-  out.length_water = region.in_air ? T(0) : way.length;
+  if (!region.in_air) out.in_water = from_surface_in_water(sea, region, photon.line, way);
   out.path = path_to_telescope(sea, telescope, region, photon.line, hit.lens, photon.position, way);
   return out;
 }

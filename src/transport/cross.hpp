@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/elementary.hpp"
-#include "geometry/depths.hpp"
 #include "geometry/region.hpp"
+#include "geometry/segment.hpp"
 #include "medium/medium.hpp"
 #include "surface/flat.hpp"
 #include "transport/photon.hpp"
@@ -27,29 +27,29 @@ Mask<T> come_down(const geometry::Region<T>& from, Photon<T>& photon) {
   return downward;
 }
 
-/// A way up to the surface.
+/// The way up to the surface.
 template <class T>
 struct CameUp {
   Mask<T> rises{};  ///< the photons that come there
-  T length{};       ///< [m]
+  geometry::Segment<T> way;
 };
 /// Takes photons in the water to the surface, without colliding: their weight takes the chance of
 /// that. Photons that do not rise are left as they are.
 template <class T>
-CameUp<T> come_up(const medium::MediumView& sea, Photon<T>& photon) {
-  CameUp<T> way;
-  way.rises = photon.direction.z > T(0);
-  const T steep = select(way.rises, photon.direction.z, T(1));
-  way.length = T(-photon.position.z) / steep;
-  const auto from = geometry::level_of(sea, photon);
-  const T tau = sea.optical_depth(photon.line, from) / steep;
-  const Vec3<T> there = photon.position + way.length * photon.direction;
-  const T path = sea.group_path_to_surface(photon.line, from, way.length);
-  photon.position = select(way.rises, Vec3<T>{there.x, there.y, T(0)}, photon.position);
-  photon.path = photon.path + select(way.rises, path, T(0));
-  photon.weight = photon.weight * select(way.rises, exp_minus(tau), T(1));
-  photon.layer = select(way.rises, Index<T>(0), photon.layer);
-  return way;
+CameUp<T> come_up(const geometry::Slabs& sea, Photon<T>& photon) {
+  const Mask<T> rises = photon.direction.z > T(0);
+  const T steep = select(rises, photon.direction.z, T(1));
+  const T length = geometry::depth_of(photon.position) / steep;
+  const auto way = geometry::to_surface(photon.line, geometry::level_of(sea, photon), length,
+                                        geometry::Slant<T>::of_cosine(steep));
+  const T tau = geometry::optical_depths(sea, way).all;
+  const Vec3<T> there = photon.position + length * photon.direction;
+  const T path = geometry::group_path(sea, way);
+  photon.position = select(rises, Vec3<T>{there.x, there.y, T(0)}, photon.position);
+  photon.path = photon.path + select(rises, path, T(0));
+  photon.weight = photon.weight * select(rises, exp_minus(tau), T(1));
+  photon.layer = select(rises, Index<T>(0), photon.layer);
+  return {rises, way};
 }
 
 /// Takes photons from where their instrument stands into the water: from the air through the flat

@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "core/elementary.hpp"
-#include "geometry/depths.hpp"
 #include "geometry/free_paths.hpp"
+#include "geometry/segment.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -91,7 +91,8 @@ FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const FlightStar
     photon.layer = select(end.sea_bed, Index<T>(sea.layers), layer);
     end.sea_bed = Mask<T>(false);
   }
-  photon.path = photon.path + sea.group_path(photon.line, from.level, to, distance);
+  photon.path = photon.path + geometry::group_path(
+                                  sea, geometry::Segment<T>{photon.line, from.level, to, distance});
   const T gain = gather<T>(sea.collision_gain, here);
   const T ratio = exp_minus(absorbed_tau) * select(stopped, T(1), gain);
   photon.weight = photon.weight * ratio;
@@ -128,7 +129,9 @@ Mask<T> advance(const geometry::Slabs& sea, Photon<T>& photon, const T& distance
   const T depth = -photon.position.z;
   photon.layer = layer_at(sea, photon.layer, depth);
   photon.path =
-      photon.path + sea.group_path(photon.line, from, geometry::level_of(sea, photon), distance);
+      photon.path +
+      geometry::group_path(
+          sea, geometry::Segment<T>{photon.line, from, geometry::level_of(sea, photon), distance});
   return (depth > T(0)) & (depth < T(sea.top[sea.layers]));
 }
 

@@ -30,6 +30,16 @@
 
 namespace photic::estimator {
 
+/// The way of a photon in the water straight to a point of a telescope's lens, so long.
+template <class T>
+geometry::Segment<T> to_lens(const World<T>& world, std::size_t telescope,
+                             const transport::Photon<T>& photon,
+                             const instrument::PlanePoint<T>& lens, const T& length) {
+  const Vec3<T> end = in_space(world.telescopes[telescope], lens);
+  return {photon.line, geometry::level_of(world.sea, photon),
+          world.sea.level(world.telescope_region[telescope].layer, geometry::depth_of(end)),
+          length};
+}
 /// Counts the photons of a mask that fall on a detector on their straight way from where they
 /// stand, so long, in the water, or from the surface `in_air`; `depth` is that of the collision
 /// they come from. Telescopes do not stand in each other's way, nor in the light's.
@@ -47,10 +57,10 @@ void detect(const World<T>& world, const transport::Photon<T>& photon, const Ind
     const Mask<T> seen = flying & open & (distance < length) &
                          instrument::sight(telescope, point, photon.direction).on_detector;
     if (!any(seen)) continue;
-    const T way = in_air ? longer_way(telescope, photon.position, point, distance)
-                         : transport::path_within(
-                               world.sea, telescope, world.telescope_region[t].layer,
-                               {photon.line, photon.layer, photon.position}, point, distance);
+    const T way = in_air
+                      ? longer_way(telescope, photon.position, point, distance)
+                      : transport::path_within(world.sea, telescope, photon.position,
+                                               to_lens(world, t, photon, point, distance), point);
     const lanes::LaneScores<T> scores{Index<T>(static_cast<std::int32_t>(t)),
                                       world.path_to_origin[t],
                                       transport::component_of<T>(world.sea, photon.line, touched),
@@ -118,7 +128,7 @@ struct AnalogSteps {
 
   /// To the next collision, by way of the surface if need be.
   transport::FlightEnd<T> fly(AnalogPhotons<T>& p) {
-    const T depth = -p.photon.position.z;
+    const T depth = geometry::depth_of(p.photon.position);
     auto end = fly_to_detectors(p.photon, p.touched, p.on, u[0], depth);
     const Mask<T> at_surface = p.on & end.surface;
     end.surface = Mask<T>(false);

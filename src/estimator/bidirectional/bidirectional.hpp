@@ -40,7 +40,7 @@ struct FromLaser : WalkDraws<T> {
   [[nodiscard]] static std::int32_t instrument() { return of_laser; }
   [[nodiscard]] const EntryCone<T>& cone() const { return world.laser_cone; }
 
-  /// met(mask, meeting), flown(mask, passage): as of begin_at_facets().
+  /// met(mask, meeting), flown(mask, segment): as of begin_at_facets().
   template <class Met, class Flown>
   Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record, Met met,
                  Flown flown) {

@@ -10,12 +10,12 @@ namespace photic::estimator {
 
 template <class T>
 PHOTIC_APART void Connections<T>::complete_to_telescope(const Pairing<T>& pairing, const Vertex& v,
-                                                        const geometry::Sightline<T>& way) {
+                                                        const geometry::Sightline<T>& way,
+                                                        const geometry::Segment<T>& in_water) {
   const Index<T> line = back_.line(pairing.back);
   completion_.clear();
   add_leg(sea_, laser_.ray(pairing.laser, pairing.i), v, completion_.ways);
-  add_way(sea_, line, v.layer, T(-v.position.z), way.direction, way.length_water, way.to, way.route,
-          completion_.ways);
+  completion_.pass_flat(sea_, in_water, way.direction);
   completion_.collide(sea_, {v.line, v.layer, line > Index<T>(0), line,
                              one_minus_cos(v.direction, way.direction), T(-v.direction.z)});
   complete_entry(line, way);
@@ -33,41 +33,39 @@ template <class T>
 PHOTIC_APART void Connections<T>::complete_by_facet(const Pairing<T>& pairing, const Vertex& v,
                                                     const transport::WavesConnection<T>& way) {
   const Index<T> line = back_.line(pairing.back);
-  const Index<T> top(0);
   completion_.clear();
   add_leg(sea_, laser_.ray(pairing.laser, pairing.i), v, completion_.ways);
-  completion_.pass(sea_, {line, v.layer, T(-v.position.z), top, T(0), way.length_water});
-  completion_.pass(
-      sea_, {line, receiver_.region.layer, way.onward.depth(), top, T(0), way.onward.length});
+  completion_.pass(sea_, way.in_water);
+  completion_.pass(sea_,
+                   transport::from_surface_in_water(sea_, receiver_.region, line, way.onward));
   completion_.collide(sea_, {v.line, v.layer, line > Index<T>(0), line,
                              one_minus_cos(v.direction, way.direction), T(-v.direction.z)});
   if (sea_.environments.other_surface) completion_.surface.meet(sea_, way.meeting);
 }
 
-/// `length`: in the water.
 template <class T>
 PHOTIC_APART void Connections<T>::complete_to_laser(const Pairing<T>& pairing, const Vertex& w,
                                                     const geometry::Sightline<T>& way,
-                                                    const T& length) {
+                                                    const geometry::Segment<T>& in_water) {
   completion_.clear();
   add_leg(sea_, back_.ray(pairing.back, pairing.m), w, completion_.ways);
-  add_way(sea_, Index<T>(0), w.layer, T(-w.position.z), way.direction, length, way.to, way.route,
-          completion_.ways);
+  completion_.pass_flat(sea_, in_water, way.direction);
   completion_.collide(sea_, {w.line, w.layer, w.line > Index<T>(0), w.line,
                              one_minus_cos(w.direction, way.direction), way.direction.z});
   complete_entry(Index<T>(0), way);
 }
 
-/// By an edge of light of a line.
+/// By an edge.
 template <class T>
-PHOTIC_APART void Connections<T>::complete_between(const Pairing<T>& pairing, const Index<T>& line,
-                                                   const Vertex& v, const Vertex& w,
-                                                   const T& length) {
-  const Vec3<T> direction = (T(1) / length) * (w.position - v.position);
+PHOTIC_APART void Connections<T>::complete_between(const Pairing<T>& pairing, const Vertex& v,
+                                                   const Vertex& w,
+                                                   const geometry::Segment<T>& edge) {
+  const Index<T>& line = edge.line;
+  const Vec3<T> direction = (T(1) / edge.length) * (w.position - v.position);
   completion_.clear();
   add_leg(sea_, laser_.ray(pairing.laser, pairing.i), v, completion_.ways);
   add_leg(sea_, back_.ray(pairing.back, pairing.m), w, completion_.ways);
-  completion_.pass(sea_, {line, v.layer, T(-v.position.z), w.layer, T(-w.position.z), length});
+  completion_.pass(sea_, edge);
   completion_.collide(sea_, {v.line, v.layer, line > v.line, line,
                              one_minus_cos(v.direction, direction), T(-v.direction.z)});
   completion_.collide(sea_, {w.line, w.layer, w.line > line, w.line,
@@ -85,17 +83,16 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPairing<T>& pairi
                         const Index<T>& m, const Mask<T>& sent_back) {
     const Mask<T> reflected = ray.is_reflected();
     WalkPoint<T> left = ray;
-    left.position.z = select(reflected, T(-ray.position.z), ray.position.z);
+    left.position = select(reflected, geometry::mirror_image(ray.position), ray.position);
     left.direction.z = ray.leaving_z();
     if (rough && any(sent_back)) {
       const Ray up = walks.ray(walk, m);
-      left.position.z = select(sent_back, up.position.z, left.position.z);
-      left.direction.z = select(sent_back, up.direction.z, left.direction.z);
+      left.position = select(sent_back, up.position, left.position);
+      left.direction = select(sent_back, up.direction, left.direction);
       left.layer = select(sent_back, up.layer, left.layer);
     }
-    const T reach = (-ray.position.z - depth) / ray.direction.z;
     WalkPoint<T> arrived = ray;
-    arrived.position = ray.position + reach * ray.direction;
+    arrived.position = ray.position + ray.length_to(depth) * ray.direction;
     arrived.layer = layer;
     add_leg(sea_, left, arrived, completion_.ways);
   };
@@ -106,14 +103,14 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPairing<T>& pairi
   pass(back, back_, pairing.back, pairing.m, pairing.reflects_telescope());
   if (is_aslant(telescope_)) {
     const Index<T>& at = receiver_.region.layer;
-    completion_.pass(sea_, {met.line, at, T(0), at, T(0), met.longer});
+    const auto level = sea_.level(at, T(0));
+    completion_.pass(sea_, {met.line, level, level, met.longer});
   }
   completion_.collide(sea_, {out.line, layer, back.line > Index<T>(0), back.line,
                              one_minus_cos(out.direction, -back.direction), T(-out.direction.z)});
   if (met.free == Free::none) return;
-  const auto& [first, leaving, arriving, way, length] = *met.leg;
-  add_way(sea_, first.line, first.layer, T(-first.position.z), way.direction, length, way.to,
-          way.route, completion_.ways);
+  const auto& [first, leaving, arriving, way, in_water] = *met.leg;
+  completion_.pass_flat(sea_, in_water, way.direction);
   completion_.collide(sea_, {first.line, first.layer, Mask<T>(!(first.line == leaving.line)),
                              first.line, one_minus_cos(arriving, leaving.direction),
                              met.free == Free::telescope ? leaving.direction.z : T(-arriving.z)});

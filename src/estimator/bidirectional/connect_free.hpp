@@ -30,13 +30,15 @@ FreeStart<T> free_start(const EntryCone<T>& cone, const Vec3<T>& position, const
           spot.radius + way_down * spot.radius_per_depth,
           path - (spot.min_path + way_down * spot.min_path_per_depth)};
 }
-/// The depth that a first way goes through: from the surface, or from the level `z` in the water
-/// that light spreads from, perhaps by way of the surface.
+/// The depth that a first way to a point goes through: from the surface, or from the place in the
+/// water that light spreads from, perhaps by way of the surface.
 template <class T>
-T way_down_of(bool in_air, const T& z, const T& first_z, const Mask<T>& by_surface) {
+T way_down_of(bool in_air, const Vec3<T>& from, const Vec3<T>& to, const Mask<T>& by_surface) {
   using std::abs;
-  if (in_air) return T(0) - first_z;
-  return select(by_surface, T(0) - (first_z + z), T(abs(first_z - z)));
+  const T depth = geometry::depth_of(to);
+  if (in_air) return depth;
+  const T begins = geometry::depth_of(from);
+  return select(by_surface, depth + begins, T(abs(depth - begins)));
 }
 
 /// Returns whether walks may be free: under waves those that begin in a part of the cone.
@@ -60,7 +62,7 @@ FreeStart<T> Connections<T>::free_telescope_start(std::size_t back) const {
   const Vertex first = back_.vertex_in_all_lanes(back, 0);
   const Vec3<T> lens = in_plane(telescope_, birth.lens);
   return free_start(world_.cone(instrument()), first.position, first.path,
-                    way_down_of(receiver_.region.in_air, telescope_.position.z, first.position.z,
+                    way_down_of(receiver_.region.in_air, telescope_.position, first.position,
                                 comes_by_surface(first, birth.outward.z)),
                     lens);
 }
@@ -68,8 +70,8 @@ template <class T>
 FreeStart<T> Connections<T>::free_laser_start(const Index<T>& laser) const {
   const Vertex first = laser_.vertex(laser, Index<T>(0));
   return free_start(world_.laser_cone, first.position, first.path,
-                    way_down_of(world_.laser_region.in_air, fictitious_vertex(world_.laser).z,
-                                first.position.z, comes_by_surface(first, world_.laser.axis.z)),
+                    way_down_of(world_.laser_region.in_air, fictitious_vertex(world_.laser),
+                                first.position, comes_by_surface(first, world_.laser.axis.z)),
                     {T(0), T(0), T(0)});
 }
 
@@ -117,7 +119,7 @@ void Connections<T>::free_meetings(const RayPairing<T>& pairing, const Mask<T>& 
 template <class T>
 Vec3<T> Connections<T>::apart(const RayPair<T>& pair, const T& depth) const {
   const auto at = [&](const Ray& ray) {
-    return ray.position + ((-ray.position.z - depth) / ray.direction.z) * ray.direction;
+    return ray.position + ray.length_to(depth) * ray.direction;
   };
   const Vec3<T> there = at(pair.out) - at(pair.back);
   return {there.x, there.y, T(0)};
@@ -147,7 +149,8 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_telescope(FreePairin
     const auto entry = entry_to(world_, instrument(), first.line, first.position + moved,
                                 back_.entry(pairing.back), pair.birth.lens, true, mask);
     return free_telescope_by(pairing, pair, first, moved, sightline_along(entry, receiver_.region),
-                             edge_to_telescope(mask, entry, first.line, pair.birth.lens));
+                             edge_to_telescope(mask, entry, first.line,
+                                               geometry::level_of(sea_, first), pair.birth.lens));
   }
   const Vec3<T> at_lens = in_space(telescope_, pair.birth.lens);
   const Mask<T> by_surface = comes_by_surface(first, pair.birth.outward.z);
@@ -187,8 +190,7 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const RayP
       select(converts, per_p,
              select(first.line == Index<T>(0), T(drawn(p) / drawn(T(1) / leaving.per_p)), T(1)));
   const auto& cone = world_.cone(instrument());
-  const auto tau =
-      depths_along(sea_, way, first.line, first.layer, T(-first.position.z), way.length_water);
+  const auto tau = geometry::optical_depths(sea_, edge.in_water);
   auto met = this->met(pair);
   met.telescope = edge.telescope;
   Ray back = pair.back;
@@ -209,7 +211,7 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const RayP
     met.axis = met.own_axis;
   }
   translate(met, moved);
-  const NewLeg<T> leg{first, leaving, arriving, way, way.length_water};
+  const NewLeg<T> leg{first, leaving, arriving, way, edge.in_water};
   met.free = Free::telescope;
   met.leg = &leg;
   meet_free(pairing, edge.seen, met);
@@ -282,7 +284,7 @@ void Connections<T>::free_laser_by(const FreePairing<T>& pairing, const RayPair<
   out.position = out.position + moved;
   met.out = &out;
   met.out_moved = moved;
-  const NewLeg<T> leg{first, leaving, arriving, way, to_laser.water};
+  const NewLeg<T> leg{first, leaving, arriving, way, to_laser.in_water};
   met.free = Free::laser;
   met.leg = &leg;
   meet_free(pairing, to_laser.lit, met);

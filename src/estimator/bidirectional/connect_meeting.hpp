@@ -15,11 +15,12 @@ MeetingPoint<T> Connections<T>::meeting_point(const Met<T>& met, const Mask<T>& 
   const Index<T> line = back.line;
   const Index<T> here = sea_.at(line, place);
   MeetingPoint<T> at;
-  at.length_out = (-out.position.z - depth) / out.direction.z;
-  at.length_back = (-back.position.z - depth) / back.direction.z;
+  at.length_out = out.length_to(depth);
+  at.length_back = back.length_to(depth);
   at.bed = on_bed(place);
-  const auto tau_out = depths_along(sea_, out, place, depth, at.length_out);
-  const auto tau_back = depths_along(sea_, back, place, depth, at.length_back);
+  const auto level = sea_.level(place, depth);
+  const auto tau_out = depths_along(sea_, out, level, at.length_out);
+  const auto tau_back = depths_along(sea_, back, level, at.length_back);
   at.tau = tau_out.all + tau_back.all;
   at.reach_out = world_.laser_cone.reach(first, tau_out.walk, out.direction.z, at.bed);
   at.reach_back = world_.cone(instrument()).reach(last, tau_back.walk, back.direction.z, at.bed);
@@ -34,8 +35,8 @@ MeetingPoint<T> Connections<T>::meeting_point(const Met<T>& met, const Mask<T>& 
                                    select(at.converts, gather_index<T>(sea_.conversion_phase, line),
                                           gather_index<T>(sea_.elastic_phase, here)),
                                    out.direction, -back.direction);
-  at.path = out.path + back.path + path_along(sea_, out, place, depth, at.length_out) +
-            path_along(sea_, back, place, depth, at.length_back);
+  at.path = out.path + back.path + path_along(sea_, out, level, at.length_out) +
+            path_along(sea_, back, level, at.length_back);
   return at;
 }
 
@@ -77,8 +78,7 @@ PHOTIC_APART void Connections<T>::meet_under_waves(const RayPairing<T>& pairing,
                                                    const Mask<T>& mask, Met<T> met, const T& depth,
                                                    const Index<T>& place) {
   const Ray& out = *met.out;
-  const Vec3<T> where =
-      out.position + ((-out.position.z - depth) / out.direction.z) * out.direction;
+  const Vec3<T> where = out.position + out.length_to(depth) * out.direction;
   const auto enter = [&](const Mask<T>& first, std::int32_t instrument, const Index<T>& line,
                          const SurfaceEntry<T>& entry, Spread<T>& spread) {
     if (!any(first)) return;

@@ -19,7 +19,7 @@ PHOTIC_APART Chord<T> Connections<T>::tilted_chord(DepthLine out_line, DepthLine
 template <class T>
 Mask<T> Connections<T>::can_meet(const RayPair<T>& pair, const Ray& moved, const T& depth) const {
   if (!is_aslant(telescope_)) return Mask<T>(true);
-  const Mask<T> ahead = (-moved.position.z - depth) * moved.direction.z > T(0);
+  const Mask<T> ahead = (geometry::depth_of(moved.position) - depth) * moved.direction.z > T(0);
   return ahead & ((pair.pairing.m == Index<T>(0)) |
                   all_points_reach(telescope_, last_depth(pair.pairing.back)));
 }

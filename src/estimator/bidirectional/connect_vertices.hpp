@@ -30,8 +30,9 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
       if (by_slopes && !world_.cone(instrument()).enters_by_slopes) break;
       const auto entry =
           entry_to(world_, instrument(), line, v.position, own, birth.lens, by_slopes, wanted);
-      score_to_telescope(pairing, v, sightline_along(entry, receiver_.region),
-                         edge_to_telescope(wanted, entry, line, birth.lens));
+      score_to_telescope(
+          pairing, v, sightline_along(entry, receiver_.region),
+          edge_to_telescope(wanted, entry, line, geometry::level_of(sea_, v), birth.lens));
     }
     return;
   }
@@ -77,7 +78,8 @@ PHOTIC_APART void Connections<T>::score_by_facet(Pairing<T> pairing, const Verte
   score(pairing, Technique::laser, seen,
         {from.weight * from.densities.p * way.acceptance * exp_minus(way.optical_depth) /
              (samples_.to_instrument * from.chance),
-         path, -v.position.z, in_path.order, in_path.order, Index<T>(0), seen_by(way.sight)});
+         path, geometry::depth_of(v.position), in_path.order, in_path.order, Index<T>(0),
+         seen_by(way.sight)});
 }
 
 /// Along a way to a point of the lens.
@@ -92,8 +94,10 @@ EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask, const 
   edge.seen = mask & way.exists & sight.on_detector;
   if (!any(edge.seen)) return edge;
   edge.telescope = seen_by(sight);
+  edge.in_water = geometry::along(sea_, way, line, sea_.level(place, geometry::depth_of(from)),
+                                  way.length_water);
   edge.path = transport::longer_in_air(telescope_, way, line, lens) +
-              transport::path_in_water(sea_, telescope_, way, line, place, from, lens);
+              transport::path_in_water(sea_, telescope_, way, from, edge.in_water, lens);
   const T solid_angle =
       world_.cone(instrument())
           .solid_angle_outside(gather<T>(sea_.index, line), -way.direction, -way.arriving);
@@ -106,11 +110,13 @@ EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask, const 
 template <class T>
 EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask, const EntryEdge<T>& entry,
                                                      const Index<T>& line,
+                                                     const medium::Level<T>& from,
                                                      const instrument::PlanePoint<T>& lens) const {
   EdgeToTelescope<T> edge;
   edge.seen = mask & entry.exists;
   edge.telescope = seen_by(instrument::sight(telescope_, lens, -entry.by.outside));
-  edge.path = entry.by.path + entry.length * gather<T>(sea_.group_index, line);
+  edge.in_water = entry.in_water(line, from);
+  edge.path = entry.by.path + geometry::group_path(sea_, edge.in_water);
   edge.area = entry.area;
   edge.freed = entry.freed;
   edge.weight = entry.weight;
@@ -126,8 +132,8 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
   const T path = v.path + edge.path;
   const Mask<T> seen = edge.seen & (path < receiver_.last_path);
   if (!any(seen)) return;
-  const T depth = -v.position.z;
-  const auto tau = depths_along(sea_, way, line, v.layer, depth, way.length_water);
+  const T depth = geometry::depth_of(v.position);
+  const auto tau = geometry::optical_depths(sea_, edge.in_water);
   const auto& cone = world_.cone(instrument());
   const T reach = cone.reach(Mask<T>(true), tau.walk, way.direction.z, on_bed(v.layer));
   const auto in_path = usable(pairing.i + Index<T>(1));
@@ -152,7 +158,7 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
                                       world_.inverse_conversion, Index<T>(0), T(1), T(1), here);
   const T area = samples_.to_instrument * from.chance * edge.area + from.meeting;
   if (world_.has_environments) [[unlikely]]
-    complete_to_telescope(pairing, v, way);
+    complete_to_telescope(pairing, v, way, edge.in_water);
   score(
       pairing, Technique::laser, seen,
       {from.weight * edge.weight * balance(area, tau.all, reach, from.densities, EndDensities<T>{}),
@@ -212,16 +218,18 @@ WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& f
   const T air = way.to.in_air ? longer_from_disc(laser, way.crossing, way.length_air, x) +
                                     way.to.delay(line, way.arriving.z)
                               : T(0);
+  const T length = way.to.in_air ? way.length_water : way.length_water - hidden;
   WayToLaser<T> out;
-  out.water = way.to.in_air ? way.length_water : way.length_water - hidden;
-  out.path = air + out.water * gather<T>(sea_.group_index, line);
+  out.in_water =
+      geometry::along(sea_, way, line, sea_.level(place, geometry::depth_of(from)), length);
+  T counted = length;
   if (any(laser.to_sea > T(0))) [[unlikely]]
-    out.path =
+    counted =
         longer_from_disc(laser, transport::seen_by_route(from, way.route), way.length_water, x);
-  out.path = out.path + air_delay_along(sea_, way, line, place, T(-from.z), out.water);
-  out.lit = mask & way.exists & (x < laser.one_minus_cos_divergence) & (out.water > T(0));
+  out.path = air + geometry::group_path(sea_, out.in_water, counted);
+  out.lit = mask & way.exists & (x < laser.one_minus_cos_divergence) & (length > T(0));
   if (!any(out.lit)) return out;
-  const auto tau = depths_along(sea_, way, line, place, T(-from.z), out.water);
+  const auto tau = geometry::optical_depths(sea_, out.in_water);
   const T solid_angle =
       cone.solid_angle_outside(gather<T>(sea_.index, line), -way.direction, -way.arriving);
   out.tau = tau.all;
@@ -238,11 +246,11 @@ WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& f
                                            const EntryEdge<T>& entry) const {
   const Index<T> line(0);
   WayToLaser<T> out;
-  out.water = entry.length;
-  out.path = entry.by.path + entry.length * gather<T>(sea_.group_index, line);
+  out.in_water = entry.in_water(line, sea_.level(place, geometry::depth_of(from)));
+  out.path = entry.by.path + geometry::group_path(sea_, out.in_water);
   out.lit = mask & entry.exists;
   if (!any(out.lit)) return out;
-  const auto tau = depths_along(sea_, way, line, place, T(-from.z), entry.length);
+  const auto tau = geometry::optical_depths(sea_, out.in_water);
   out.tau = tau.all;
   out.reach = world_.laser_cone.reach(Mask<T>(true), tau.walk, way.direction.z, on_bed(place));
   out.area = entry.area;
@@ -278,7 +286,7 @@ void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
                                               world_.inverse_conversion, pairing.m, here);
   const T area = samples_.to_instrument * to.chance * to_laser.area + to.meeting;
   if (world_.has_environments) [[unlikely]]
-    complete_to_laser(pairing, w, way, to_laser.water);
+    complete_to_laser(pairing, w, way, to_laser.in_water);
   score(pairing, Technique::telescope, lit,
         {to.weight * to_laser.weight *
              balance(area, to_laser.tau, to_laser.reach, EndDensities<T>{}, to.densities),
@@ -365,17 +373,18 @@ template <class T>
 void Connections<T>::along(const Pairing<T>& pairing, const Mask<T>& mask, const Index<T>& line,
                            const ConnectionEnd& from, const ConnectionEnd& to, const Vertex& v,
                            const Vertex& w, const T& length, const Usable<T>& usable) {
-  const auto there = geometry::level_of(sea_, v), here = geometry::level_of(sea_, w);
-  const T path = v.path + w.path + sea_.group_path(line, there, here, length);
+  const geometry::Segment<T> between{line, geometry::level_of(sea_, v), geometry::level_of(sea_, w),
+                                     length};
+  const T path = v.path + w.path + geometry::group_path(sea_, between);
   const Mask<T> in_time = mask & (path < receiver_.last_path);
   if (!any(in_time)) return;
-  const auto tau = geometry::depths_between(sea_, line, there, here, length);
+  const auto tau = geometry::optical_depths(sea_, between);
   const Index<T> edge = pairing.i + Index<T>(1);
   const T meeting = select(usable.meeting(edge), from.meeting * to.densities.p, T(0)) +
                     select(usable.meeting(edge + Index<T>(1)), to.meeting * from.densities.p, T(0));
   const T area = samples_.between * from.chance * to.chance * length * length + meeting;
   if (world_.has_environments) [[unlikely]]
-    complete_between(pairing, line, v, w, length);
+    complete_between(pairing, v, w, between);
   score(pairing, Technique::both, in_time,
         {from.weight * to.weight *
              balance(area, tau.all, exp_minus(tau.walk), from.densities, to.densities),

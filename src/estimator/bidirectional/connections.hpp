@@ -123,6 +123,7 @@ class Connections {
                                                      const geometry::Sightline<T>& way) const;
   [[nodiscard]] EdgeToTelescope<T> edge_to_telescope(const Mask<T>& mask, const EntryEdge<T>& entry,
                                                      const Index<T>& line,
+                                                     const medium::Level<T>& from,
                                                      const instrument::PlanePoint<T>& lens) const;
   void score_to_telescope(const Pairing<T>& pairing, const Vertex& v,
                           const geometry::Sightline<T>& way, const EdgeToTelescope<T>& edge);
@@ -227,7 +228,9 @@ class Connections {
   /// `birth`: of a walk that detects a line.
   [[nodiscard]] AtLens<T> at_lens(const BirthRecord<T>& birth, const Index<T>& line) const {
     return {birth.lens, birth.outward,
-            receiver_.region.in_air ? T(1) : sea_.path_per_metre<T>(line, receiver_.region.layer)};
+            receiver_.region.in_air
+                ? T(1)
+                : geometry::group_index_in<T>(sea_, line, receiver_.region.layer)};
   }
   /// Returns whether light of the laser's line can leave a layer as light of a line.
   [[nodiscard]] Mask<T> emits(const Index<T>& line, const Index<T>& layer) const {
@@ -282,7 +285,7 @@ class Connections {
   }
   /// The depth where the light of a telescope's walk was last scattered.
   [[nodiscard]] T last_depth(const Index<T>& back) const {
-    return -back_.vertex(back, Index<T>(0)).position.z;
+    return geometry::depth_of(back_.vertex(back, Index<T>(0)).position);
   }
   /// The axis about which a telescope's walk may be rotated in paths that convert at a place, or
   /// that have their last vertex there. Directions are those of the edges there.
@@ -309,13 +312,14 @@ class Connections {
   }
   // The ratios of whole paths, put together of two walks, in environments.
   void complete_to_telescope(const Pairing<T>& pairing, const Vertex& v,
-                             const geometry::Sightline<T>& way);
+                             const geometry::Sightline<T>& way,
+                             const geometry::Segment<T>& in_water);
   void complete_by_facet(const Pairing<T>& pairing, const Vertex& v,
                          const transport::WavesConnection<T>& way);
   void complete_to_laser(const Pairing<T>& pairing, const Vertex& w,
-                         const geometry::Sightline<T>& way, const T& length);
-  void complete_between(const Pairing<T>& pairing, const Index<T>& line, const Vertex& v,
-                        const Vertex& w, const T& length);
+                         const geometry::Sightline<T>& way, const geometry::Segment<T>& in_water);
+  void complete_between(const Pairing<T>& pairing, const Vertex& v, const Vertex& w,
+                        const geometry::Segment<T>& edge);
   void complete_entry(const Index<T>& line, const geometry::Sightline<T>& way);
   void complete_by_meeting(const RayPairing<T>& pairing, const Met<T>& met, const T& depth,
                            const Index<T>& layer);

@@ -15,8 +15,8 @@ template <class T>
 void add_leg(const medium::MediumView& sea, const WalkPoint<T>& left, const WalkPoint<T>& arrived,
              estimator::Terms<T>& ways) {
   using std::abs;
-  const T from = -left.position.z;
-  const T to = -arrived.position.z;
+  const T from = geometry::depth_of(left.position);
+  const T to = geometry::depth_of(arrived.position);
   const Mask<T> reflected = left.direction.z * arrived.direction.z < T(0);
   const T steep = select(reflected, T(abs(left.direction.z)), T(1));
   const Index<T> top(0);
@@ -27,18 +27,16 @@ void add_leg(const medium::MediumView& sea, const WalkPoint<T>& left, const Walk
                                 select(enters, Index<T>(through_film), Index<T>(-1)));
     add_flat_film(sea, {left.line, way, T(abs(left.direction.z))}, ways);
   }
-  estimator::add_passage(
-      sea,
-      {left.line, left.layer, from, select(reflected, top, arrived.layer),
-       select(reflected, T(0), to),
-       select(reflected, from / steep, T(length(arrived.position - left.position)))},
-      ways);
+  const auto turn = sea.level(select(reflected, top, arrived.layer), select(reflected, T(0), to));
+  add_segment(sea,
+              {left.line, geometry::level_of(sea, left), turn,
+               select(reflected, from / steep, T(length(arrived.position - left.position)))},
+              ways);
   if (!any(reflected)) return;
-  estimator::add_passage(
-      sea,
-      {left.line, select(reflected, top, arrived.layer), select(reflected, T(0), to), arrived.layer,
-       to, select(reflected, to / T(abs(arrived.direction.z)), T(0))},
-      ways);
+  add_segment(sea,
+              {left.line, turn, geometry::level_of(sea, arrived),
+               select(reflected, to / T(abs(arrived.direction.z)), T(0))},
+              ways);
 }
 
 }  // namespace photic::estimator

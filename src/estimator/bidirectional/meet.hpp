@@ -18,46 +18,45 @@ namespace photic::estimator {
 template <class T>
 Ray<T> reflected(const geometry::Slabs& sea, const Ray<T>& ray) {
   Ray<T> image = ray;
-  image.position.z = -ray.position.z;
+  image.position = geometry::mirror_image(ray.position);
   image.direction.z = -ray.direction.z;
   image.weight = ray.weight * surface::flat_surface<T>(sea, ray.line).reflectance(ray.direction.z);
   return image;
 }
 
-/// Optical depths along a ray, `length` of it, to a depth in a layer.
+/// The value of(segment) of a ray's way to a level, `length` long, which the surface may have
+/// reflected.
+template <class T, class Of>
+auto along(const geometry::Slabs& sea, const Ray<T>& ray, const medium::Level<T>& to,
+           const T& length, Of of) {
+  const geometry::Segment<T> straight{ray.line, geometry::level_of(sea, ray), to, length};
+  const auto value = of(straight);
+  const Mask<T> reflected = ray.is_reflected();
+  if (!any(reflected)) return value;
+  const T above = geometry::depth_of(ray.position);  // of the mirror image, negative
+  const auto by_surface =
+      geometry::by_surface(ray.line, sea.level(ray.layer, T(-above)), to, length,
+                           geometry::Slant<T>::of_secant(T(length / (to.depth - above))));
+  return select(reflected, of(by_surface), value);
+}
 template <class T>
 geometry::OpticalDepths<T> depths_along(const geometry::Slabs& sea, const Ray<T>& ray,
-                                        const Index<T>& layer, const T& depth, const T& length) {
-  const T from = -ray.position.z;
-  const geometry::OpticalDepths<T> straight = geometry::depths_between(
-      sea, ray.line, geometry::level_of(sea, ray), sea.level(layer, depth), length);
-  const Mask<T> reflected = ray.is_reflected();
-  if (!any(reflected)) return straight;
-  const auto by_surface = geometry::depths_by_surface(sea, ray.line, ray.layer, T(-from), layer,
-                                                      depth, T(length / (depth - from)));
-  return {select(reflected, by_surface.all, straight.all),
-          select(reflected, by_surface.walk, straight.walk)};
+                                        const medium::Level<T>& to, const T& length) {
+  return along(sea, ray, to, length,
+               [&](const auto& segment) { return geometry::optical_depths(sea, segment); });
 }
-
-/// By how much the air makes these longer than in a vacuum, as group path [m].
 template <class T>
-PHOTIC_APART T air_delay_along(const geometry::Slabs& sea, const Ray<T>& ray, const Index<T>& layer,
-                               const T& depth, const T& length) {
-  const auto to = sea.level(layer, depth);
-  const T straight = sea.air_delay(ray.line, geometry::level_of(sea, ray), to, length);
-  const Mask<T> reflected = ray.is_reflected();
-  if (!any(reflected)) return straight;
-  const auto from = sea.level(ray.layer, ray.position.z);
-  return select(reflected, sea.air_delay_by_surface(ray.line, from, to, length), straight);
+PHOTIC_APART T path_along_in_air(const geometry::Slabs& sea, const Ray<T>& ray, medium::Level<T> to,
+                                 T length) {
+  return along(sea, ray, to, length,
+               [&](const auto& segment) { return geometry::group_path(sea, segment); });
 }
-/// The path of a way along a ray.
 template <class T>
-T path_along(const geometry::Slabs& sea, const Ray<T>& ray, const Index<T>& layer, const T& depth,
+T path_along(const geometry::Slabs& sea, const Ray<T>& ray, const medium::Level<T>& to,
              const T& length) {
-  const T path = length * gather<T>(sea.group_index, ray.line);
-  if (!sea.upside_down) [[likely]]
-    return path;
-  return path + air_delay_along(sea, ray, layer, depth, length);
+  if (sea.upside_down) [[unlikely]]
+    return path_along_in_air(sea, ray, to, length);
+  return geometry::group_path(sea, geometry::Segment<T>{ray.line, {}, to, length});
 }
 
 /// A ray as a line over depth, its own or its image's in the surface.
@@ -81,10 +80,11 @@ struct DepthLine {
 template <class T>
 DepthLine<T> depth_line(const geometry::Slabs& sea, const Ray<T>& ray, const T& deepest) {
   const T length_per_depth = T(-1) / ray.direction.z;
-  const T above = ray.position.z * length_per_depth;  // length to the surface's level
-  const T index = gather<T>(sea.group_index, ray.line);
+  const T own = geometry::depth_of(ray.position);
+  const T above = -own * length_per_depth;  // length to the surface's level
+  const T index = geometry::min_group_index<T>(sea, ray.line);
   const Mask<T> down = ray.direction.z < T(0);
-  const T depth = select(ray.position.z < T(0), T(-ray.position.z), T(0));
+  const T depth = select(own > T(0), own, T(0));
   return {ray.position.x + above * ray.direction.x,
           ray.position.y + above * ray.direction.y,
           length_per_depth * ray.direction.x,
@@ -277,8 +277,8 @@ template <class T>
 Rotation<T> rotation_to_meet(const Ray<T>& laser, const Ray<T>& back, const RotationAxis<T>& axis,
                              const T& depth) {
   using std::sqrt;
-  const T length_out = (-laser.position.z - depth) / laser.direction.z;
-  const T length_back = (-back.position.z - depth) / back.direction.z;
+  const T length_out = laser.length_to(depth);
+  const T length_back = back.length_to(depth);
   const T ax = laser.position.x + length_out * laser.direction.x - axis.x;
   const T ay = laser.position.y + length_out * laser.direction.y - axis.y;
   const T bx = back.position.x + length_back * back.direction.x - axis.x;

@@ -110,7 +110,7 @@ struct NewLeg {
   Ray<T> leaving;    ///< the walk's ray from there
   Vec3<T> arriving;  ///< direction in which the walk now comes there
   geometry::Sightline<T> way;
-  T length{};  ///< in the water [m]
+  geometry::Segment<T> in_water{};  ///< of that way
 };
 
 /// Two rays as they meet, after one of both walks has been moved, and what that makes of the path.
@@ -155,21 +155,23 @@ template <class T>
 struct EdgeToTelescope {
   Mask<T> seen{};        ///< the detector sees it
   Index<T> telescope{};  ///< the narrowest of nested views that does
-  T path{};              ///< as the telescope's walks count it [m]
-  T area{};              ///< across it, of the telescope's cone [m^2]
-  T freed{1};            ///< of Spread
-  T weight{};            ///< of a walk in the water, before it is attenuated
+  geometry::Segment<T> in_water{};
+  T path{};    ///< as the telescope's walks count it [m]
+  T area{};    ///< across it, of the telescope's cone [m^2]
+  T freed{1};  ///< of Spread
+  T weight{};  ///< of a walk in the water, before it is attenuated
 };
 
 /// The way from a vertex to the laser.
 template <class T>
 struct WayToLaser {
-  Mask<T> lit{};      ///< it comes to the laser within its cone
-  T water{}, path{};  ///< length in the water, and group path as the laser's walks count it [m]
-  T tau{}, reach{};   ///< optical depth; chance that a walk of the laser would come along it
-  T area{};           ///< across it, of the laser's cone [m^2]
-  T freed{1};         ///< of Spread
-  T weight{};         ///< of a walk of the laser in the water, before it is attenuated
+  Mask<T> lit{};  ///< it comes to the laser within its cone
+  geometry::Segment<T> in_water{};
+  T path{};          ///< as the laser's walks count it [m]
+  T tau{}, reach{};  ///< optical depth; chance that a walk of the laser would come along it
+  T area{};          ///< across it, of the laser's cone [m^2]
+  T freed{1};        ///< of Spread
+  T weight{};        ///< of a walk of the laser in the water, before it is attenuated
 };
 
 /// A telescope's walk's first way in the water.

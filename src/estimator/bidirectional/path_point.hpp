@@ -3,7 +3,7 @@
 
 #include "estimator/bidirectional/rotated_meeting.hpp"
 #include "estimator/bidirectional/strategy_sums.hpp"
-#include "geometry/depths.hpp"
+#include "geometry/segment.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::estimator {
@@ -17,6 +17,10 @@ struct WalkPoint {
   T path{};    ///< [m]
   Index<T> line{}, layer{};
 
+  /// Along its direction to a depth, negative behind it [m].
+  [[nodiscard]] T length_to(const T& depth) const {
+    return (geometry::depth_of(position) - depth) / direction.z;
+  }
   /// Calls f(member) for each.
   template <class F>
   constexpr void each_member(F& f) {
@@ -106,9 +110,9 @@ template <class T>
 void add_flight(const geometry::Slabs& sea, const transport::Photon<T>& before,
                 const transport::Photon<T>& photon, const T& moved, Leg<T>& leg) {
   leg.length = leg.length + moved;
-  leg.walk_tau =
-      leg.walk_tau + sea.walk_slant_optical_depth(photon.line, geometry::level_of(sea, before),
-                                                  geometry::level_of(sea, photon), moved);
+  const geometry::Segment<T> flown{photon.line, geometry::level_of(sea, before),
+                                   geometry::level_of(sea, photon), moved};
+  leg.walk_tau = leg.walk_tau + geometry::optical_depths(sea, flown).walk;
 }
 
 }  // namespace photic::estimator

@@ -179,6 +179,13 @@ struct EntryEdge {
   T area{};           ///< across it, of the cone, times how often such entries are drawn [m^2]
   T freed{};          ///< of Spread
   T weight{};         ///< of a walk that begins so
+
+  /// The edge as light of a line goes along it from a level to the surface.
+  [[nodiscard]] geometry::Segment<T> in_water(const Index<T>& line,
+                                              const medium::Level<T>& from) const {
+    return geometry::to_surface(line, from, length, geometry::Slant<T>::of_secant(secant()));
+  }
+  [[nodiscard]] T secant() const { return T(1) / select(exists, T(0) - direction.z, T(1)); }
 };
 /// By an instrument's `own` ray, or by slopes.
 template <class T>
@@ -225,7 +232,7 @@ geometry::Sightline<T> sightline_along(const EntryEdge<T>& edge, const geometry:
   way.arriving = -edge.by.outside;
   way.length_water = edge.length;
   way.crossing = edge.by.at;
-  way.secant_water = T(1) / select(edge.exists, way.direction.z, T(1));
+  way.secant_water = edge.secant();
   way.to = to;
   return way;
 }
@@ -320,9 +327,9 @@ struct NotSentDown {
 };
 /// Has the walks of an instrument in the water that `u_class`, a uniform, chooses begin at the
 /// surface instead: they have come there without colliding, and facets send them down again.
-/// Returns the weight that facets do not send down; flown(mask, passage) is called for the way up.
+/// Returns the weight that facets do not send down; flown(mask, segment) is called for the way up.
 template <class T, class Draw, class Met, class Flown>
-NotSentDown<T> begin_at_facets(const medium::MediumView& sea, const EntryCone<T>& cone,
+NotSentDown<T> begin_at_facets(const geometry::Slabs& sea, const EntryCone<T>& cone,
                                const T& u_class, bool from_telescope, Birth<T>& birth, Draw draw,
                                Met met_surface, Flown flown) {
   const Mask<T> chosen = u_class >= cone.others();
@@ -330,8 +337,7 @@ NotSentDown<T> begin_at_facets(const medium::MediumView& sea, const EntryCone<T>
   auto by = birth.photon;
   const auto up = transport::come_up(sea, by);
   const Mask<T> rises = chosen & birth.exists & up.rises;
-  flown(rises, Passage<T>{by.line, birth.photon.layer, T(-birth.photon.position.z), Index<T>(0),
-                          T(0), up.length});
+  flown(rises, up.way);
   by.weight = by.weight * (cone.others() / cone.by_facets);
   const T comes = by.weight;
   const Mask<T> stand = rises & (comes > T(0));

@@ -54,7 +54,7 @@ class WalkTracer {
       if (world_.sea.environments.other_surface)
         meet_surface(world_.sea, walks_, track.walk, Index<T>(0), meeting, Mask<T>(mask & exist));
     };
-    const auto flown = [&](const Mask<T>& mask, const Passage<T>& way) {
+    const auto flown = [&](const Mask<T>& mask, const geometry::Segment<T>& way) {
       if (world_.has_environments) pass_ratios(track.walk, Mask<T>(mask & exist), way);
     };
     const auto birth = source_.birth(track.walk, exist, record, met, flown);
@@ -103,9 +103,9 @@ class WalkTracer {
     });
   }
   /// Notes that walks of a mask have gone a way before their first ray begins.
-  PHOTIC_APART void pass_ratios(Index<T> walk, const Mask<T>& mask, Passage<T> way) {
+  PHOTIC_APART void pass_ratios(Index<T> walk, const Mask<T>& mask, geometry::Segment<T> way) {
     Terms<T> ways;
-    add_passage(world_.sea, way, ways);
+    add_segment(world_.sea, way, ways);
     pass_ratios(walks_.ratios(), walk, mask, ways);
   }
   /// Notes that walks of a mask have come from their instrument to the surface.

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/elementary.hpp"
-#include "geometry/depths.hpp"
+#include "geometry/segment.hpp"
 #include "medium/medium.hpp"
 #include "surface/flat.hpp"
 #include "transport/photon.hpp"
@@ -25,6 +25,8 @@ Escape<T> escape(const geometry::Slabs& sea, const transport::Photon<T>& photon)
   using std::abs;
   const T down = -photon.direction.z;
   const auto at = geometry::level_of(sea, photon);
+  const auto above = geometry::optical_depths(
+      sea, geometry::to_surface(photon.line, at, at.depth, geometry::Slant<T>{}));
   const Mask<T> level = down == T(0);
   const T slant = T(1) / select(level, T(1), abs(down));
   Escape<T> out;
@@ -36,10 +38,8 @@ Escape<T> escape(const geometry::Slabs& sea, const transport::Photon<T>& photon)
   const T reflectance = surface::flat_surface<T>(sea, photon.line).reflectance(rises);
   const T onto_bed(sea.bed_angles > 0 ? 0 : 1);
   const T transmitted = select(level, T(0), select(out.surface, T(1) - reflectance, onto_bed));
-  out.probability = transmitted * chance(sea.walk_optical_depth(photon.line, at),
-                                         gather<T>(sea.by_walk_tau.end, photon.line));
-  out.weight = photon.weight * transmitted *
-               chance(sea.optical_depth(photon.line, at), gather<T>(sea.bed_tau, photon.line));
+  out.probability = transmitted * chance(above.walk, gather<T>(sea.by_walk_tau.end, photon.line));
+  out.weight = photon.weight * transmitted * chance(above.all, gather<T>(sea.bed_tau, photon.line));
   return out;
 }
 

@@ -129,7 +129,7 @@ lanes::LaneScores<T> scores_of(const World<T>& world, const ViewGroup<T>& group,
           group.path_to_origin,
           transport::component_of<T>(world.sea, from.line, from.touched),
           from.photon.order + Index<T>(1),
-          transport::signed_depth(world.sea, T(-from.photon.position.z)),
+          transport::signed_depth(world.sea, geometry::depth_of(from.photon.position)),
           from.photon.path + path_back,
           value};
 }
@@ -152,26 +152,20 @@ void score_completed(const World<T>& world, const Mask<T>& seen, const lanes::La
 /// The ways that complete paths of light from where it stands to a group of telescopes.
 template <class T>
 void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sources<T>& from,
-                   const transport::Connection<T>& way, geometry::Route route, Terms<T>& ways) {
-  add_way(world.sea, from.line, from.photon.layer, T(-from.photon.position.z), way.direction,
-          way.length_water, group.region, route, ways);
-  add_air_by_flat_surface(world.sea, group.region, from.line, way.direction, ways);
+                   const transport::Connection<T>& way, Completion<T>& completion) {
+  completion.pass_flat(world.sea, way.in_water, way.direction);
+  add_air_by_flat_surface(world.sea, group.region, from.line, way.direction, completion.ways);
 }
 /// The same by a rough surface.
 template <class T>
 void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sources<T>& from,
-                   const transport::WavesConnection<T>& way, geometry::Route, Terms<T>& ways) {
-  const Index<T> top(0);
-  add_passage(
-      world.sea,
-      {from.line, from.photon.layer, T(-from.photon.position.z), top, T(0), way.length_water},
-      ways);
+                   const transport::WavesConnection<T>& way, Completion<T>& completion) {
+  completion.pass(world.sea, way.in_water);
   if (group.region.in_air)
-    add_air(group.region, from.line, way.onward.rising_cosine(), ways);
+    add_air(group.region, from.line, way.onward.rising_cosine(), completion.ways);
   else
-    add_passage(world.sea,
-                {from.line, group.region.layer, way.onward.depth(), top, T(0), way.onward.length},
-                ways);
+    completion.pass(world.sea, transport::from_surface_in_water(world.sea, group.region, from.line,
+                                                                way.onward));
 }
 /// The effect on paths in environments of waves that lead them on.
 template <class T>
@@ -185,13 +179,12 @@ void complete_surface(const World<T>& world, const transport::WavesConnection<T>
 template <class T, class Way>
 PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(
     const World<T>& world, const ViewGroup<T>& group, Index<T> telescope, Mask<T> seen,
-    Sources<T> from, Way way, geometry::Route route, T value, Estimates<T>& estimates,
-    tally::BatchTally& tally) {
+    Sources<T> from, Way way, T value, Estimates<T>& estimates, tally::BatchTally& tally) {
   const transport::Photon<T>& photon = from.photon;
   auto& completion = estimates.completion;
   completion.clear();
   completion.ways = estimates.unflown;
-  complete_ways(world, group, from, way, route, completion.ways);
+  complete_ways(world, group, from, way, completion);
   complete_surface(world, way, completion);
   completion.collide(world.sea,
                      {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)), from.line,
@@ -210,8 +203,7 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
   const Photon<T>& photon = from.photon;
   const auto [share, phase] = emission(world.sea, from);
   const ViewGroup<T>& group = world.groups[g];
-  const auto score = [&](const auto& way, geometry::Route route,
-                         const instrument::Sight<T>& sight) {
+  const auto score = [&](const auto& way, const instrument::Sight<T>& sight) {
     const Mask<T> seen = mask & (way.acceptance > T(0));
     if (!any(seen)) return;
     const T p = scattered_density(world.sea, photon.layer, phase, photon.direction, way.direction);
@@ -220,8 +212,7 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
     Index<T> telescope(static_cast<std::int32_t>(group.number));
     if (queue.nested()) telescope = group.narrowest(sight);
     if (has_environments<Events>(world)) {
-      score_in_environments(world, group, telescope, seen, from, way, route, value, estimates,
-                            tally);
+      score_in_environments(world, group, telescope, seen, from, way, value, estimates, tally);
       return;
     }
     queue.push(seen, scores_of(world, group, telescope, from, way.path, value), tally);
@@ -233,13 +224,13 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
       const auto& u = from.surface;
       const auto way = connect_by_waves(world.sea, telescope, region, photon, from.line, from.lens,
                                         {u[0], u[1], u[2]}, mask);
-      score(way, route, way.sight);
+      score(way, way.sight);
     } else if (world.single_rays) {
       const auto way =
           connect_ray(world.sea, telescope, region, photon, from.line, from.lens, route, mask);
-      score(static_cast<const Connection<T>&>(way), route, way.sight);
+      score(static_cast<const Connection<T>&>(way), way.sight);
     } else {
-      score(connect(world.sea, telescope, region, photon, from.line, route, mask), route, {});
+      score(connect(world.sea, telescope, region, photon, from.line, route, mask), {});
     }
   }
 }

@@ -18,9 +18,10 @@ void ratios_at(const World<T>& world, const ForwardTracks<T>& from, const transp
   estimates.paths = from.ratios.paths;
   estimates.first = from.ratios.first;
   estimates.unflown.clear();
-  add_passage(world.sea,
-              {at.line, before.layer, T(-before.position.z), at.layer, T(-at.position.z), moved},
-              estimates.unflown);
+  add_segment(
+      world.sea,
+      {at.line, geometry::level_of(world.sea, before), geometry::level_of(world.sea, at), moved},
+      estimates.unflown);
 }
 
 /// The number that a flight's free path is drawn by. A free path -ln(u) leaves the water where u is

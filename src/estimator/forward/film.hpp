@@ -53,7 +53,7 @@ void score_film(const World<T>& world, const ForwardTracks<T>& t, std::size_t g,
   estimates.completion.clear();
   estimates.completion.emission.emit(world.sea, film.at, line, way.direction, group.region.in_air);
   if (!group.region.in_air)
-    add_passage(world.sea, {line, group.region.layer, way.depth(), Index<T>(0), T(0), way.length},
+    add_segment(world.sea, transport::from_surface_in_water(world.sea, group.region, line, way),
                 estimates.completion.ways);
   score_completed(world, seen, scores, estimates, tally);
 }

@@ -10,7 +10,7 @@
 
 #include "core/elementary.hpp"
 #include "estimator/view.hpp"
-#include "geometry/depths.hpp"
+#include "geometry/segment.hpp"
 #include "medium/medium.hpp"
 #include "surface/lambert.hpp"
 #include "transport/flight.hpp"
@@ -141,8 +141,9 @@ ForcedCollision<T> force_collision(const geometry::Slabs& sea, transport::Photon
   photon.path = select(forced, placed.path, flown.path);
 
   const Index<T> here = sea.at(photon.line, photon.layer);
-  const auto tau = geometry::depths_between(sea, photon.line, geometry::level_of(sea, before),
-                                            geometry::level_of(sea, photon), moved);
+  const auto tau = geometry::optical_depths(
+      sea, geometry::Segment<T>{photon.line, geometry::level_of(sea, before),
+                                geometry::level_of(sea, photon), moved});
   T density = (T(1) - share) * gather<T>(sea.walk_c.first, here) * exp_minus(tau.walk);
   const T per_view = share / select(count > T(0), count, T(1));
   for (std::size_t k = 0; k < taking_part; ++k)

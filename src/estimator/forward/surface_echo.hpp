@@ -19,7 +19,7 @@ void rise_to_surface(const World<T>& world, ForwardTracks<T>& t, Estimates<T>& e
   const auto up = transport::come_up(world.sea, t.photon);
   const Mask<T> rises = t.on & up.rises;
   if (!any(rises)) return;
-  if (has_environments<Events>(world)) t.ratios.flown(world.sea, t.photon, up.length, rises);
+  if (has_environments<Events>(world)) t.ratios.flown(world.sea, t.photon, up.way.length, rises);
   cross_waves<Events>(world, t, rises, false, estimates, tally, ledger, {});
 }
 

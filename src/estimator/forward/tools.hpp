@@ -42,7 +42,7 @@ void begin_with_tools(const World<T>& world, ForwardTracks<T>& tracks, const Mas
                       Ledger& ledger) {
   transport::Photon<T>& photon = tracks.photon;
   tracks.analog_before = photon.analog_weight;
-  tracks.importance_before = importance_at(world.tools, -photon.position.z);
+  tracks.importance_before = importance_at(world.tools, geometry::depth_of(photon.position));
   tracks.stays = T(1);
   const Mask<T> forced = are_forced(world, tracks.place);
   if (!any(forced)) return;
@@ -60,7 +60,8 @@ template <class T, class Ledger>
 Mask<T> split(const World<T>& world, ForwardTracks<T>& tracks, const Mask<T>& on, Ledger& ledger) {
   transport::Photon<T>& photon = tracks.photon;
   tracks.copies = Index<T>(0);
-  const T ratio = importance_at(world.tools, -photon.position.z) / tracks.importance_before;
+  const T ratio =
+      importance_at(world.tools, geometry::depth_of(photon.position)) / tracks.importance_before;
   const Mask<T> changes = on & !(ratio == T(1));
   if (!any(changes)) return on;
   const T u = uniforms(tracks.place, split_blocks[0])[0];

@@ -41,10 +41,7 @@ void score_from_surface(const World<T>& world, const ForwardTracks<T>& t, const 
   if (group.region.in_air)
     add_air(group.region, photon.line, way.direction.z, estimates.completion.ways);
   else
-    add_passage(world.sea,
-                {photon.line, group.region.layer, T(T(0) - way.direction.z * way.length_water),
-                 Index<T>(0), T(0), way.length_water},
-                estimates.completion.ways);
+    add_segment(world.sea, way.in_water, estimates.completion.ways);
   score_completed(world, seen, scores, estimates, tally);
 }
 /// Before the given facet of an event.

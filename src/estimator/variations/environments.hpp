@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include "core/elementary.hpp"
@@ -21,6 +22,7 @@
 #include "estimator/variations/other_surfaces.hpp"
 #include "estimator/variations/terms.hpp"
 #include "geometry/region.hpp"
+#include "geometry/segment.hpp"
 #include "medium/medium.hpp"
 #include "optics/phase_table.hpp"
 #include "surface/flat.hpp"
@@ -155,57 +157,43 @@ class PathRatios {
   std::vector<Block> number_;
 };
 
-/// A straight piece of a way in the water, from one depth to another, of light of a line.
+/// Adds the excess optical depth of a straight segment.
 template <class T>
-struct Passage {
-  Index<T> line{};
-  Index<T> layer1{};
-  T depth1{};
-  Index<T> layer2{};
-  T depth2{}, length{};
-};
-
-/// Adds the excess optical depth of a passage.
-template <class T>
-void add_passage(const medium::MediumView& sea, Passage<T> s, Terms<T>& ways) {
+void add_straight(const medium::MediumView& sea, const geometry::Segment<T>& s, Terms<T>& ways) {
   using std::abs;
-  s.layer1 = sea.layer_of<T>(s.layer1);
-  s.layer2 = sea.layer_of<T>(s.layer2);
-  const Mask<T> same = s.layer1 == s.layer2;
-  const T rise = select(same, T(1), abs(s.depth1 - s.depth2));
-  const T per_depth = select(s.depth1 > s.depth2, s.length, -s.length) / rise;
-  const auto from_top = [&](const Index<T>& layer, const T& depth) {
-    return depth - gather<T>(sea.top, layer);
-  };
-  ways.add(sea.excess_c(s.line, s.layer1),
-           select(same, s.length, per_depth * from_top(s.layer1, s.depth1)));
+  const auto& [from, to] = std::tie(s.from, s.to);
+  const Mask<T> same = from.layer == to.layer;
+  const T rise = select(same, T(1), abs(from.depth - to.depth));
+  const T per_depth = select(from.depth > to.depth, s.length, -s.length) / rise;
+  ways.add(sea.excess_c(s.line, from.layer), select(same, s.length, per_depth * from.below_top));
   if (all(same)) return;
   const T apart = select(same, T(0), per_depth);
-  ways.add(sea.excess_depth_tau(s.line, s.layer1), apart);
-  ways.add(sea.excess_depth_tau(s.line, s.layer2), -apart);
-  ways.add(sea.excess_c(s.line, s.layer2), -apart * from_top(s.layer2, s.depth2));
+  ways.add(sea.excess_depth_tau(s.line, from.layer), apart);
+  ways.add(sea.excess_depth_tau(s.line, to.layer), -apart);
+  ways.add(sea.excess_c(s.line, to.layer), -apart * to.below_top);
+}
+/// The same of any segment.
+template <class T>
+void add_segment(const medium::MediumView& sea, const geometry::Segment<T>& s, Terms<T>& ways) {
+  if (s.course == geometry::Course::straight) return add_straight(sea, s, ways);
+  const medium::Level<T> top{};
+  if (s.course == geometry::Course::to_surface)
+    return add_straight(sea, {s.line, s.from, top, s.length}, ways);
+  const auto up = [&](const medium::Level<T>& at) {
+    add_straight(sea, {s.line, at, top, at.depth * s.slant.length / s.slant.depth}, ways);
+  };
+  up(s.from), up(s.to);
 }
 
-/// The way from a point to an instrument in a region, by a route, of the given length in the water.
+/// A film that such a segment, in a direction, comes through or is reflected by.
 template <class T>
-void add_way(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
-             const T& depth, const Vec3<T>& direction, const T& length,
-             const geometry::Region<T>& region, geometry::Route route, Terms<T>& ways) {
+void add_flat_film(const medium::MediumView& sea, const geometry::Segment<T>& s,
+                   const Vec3<T>& direction, Terms<T>& ways) {
   using std::abs;
-  const Index<T> top(0);
-  if (region.in_air) {
-    add_flat_film(sea, {line, Index<T>(through_film), direction.z}, ways);
-    return add_passage(sea, {line, layer, depth, top, T(0), length}, ways);
-  }
-  if (route == geometry::Route::direct) {
-    const T end_depth = depth - length * direction.z;
-    return add_passage(sea, {line, layer, depth, region.layer, end_depth, length}, ways);
-  }
-  const T steep = abs(direction.z);
-  add_flat_film(sea, {line, Index<T>(back_into_water), steep}, ways);
-  const T end_depth = length * steep - depth;
-  add_passage(sea, {line, layer, depth, top, T(0), depth / steep}, ways);
-  add_passage(sea, {line, region.layer, end_depth, top, T(0), end_depth / steep}, ways);
+  if (s.course == geometry::Course::to_surface)
+    add_flat_film(sea, {s.line, Index<T>(through_film), direction.z}, ways);
+  if (s.course == geometry::Course::by_surface)
+    add_flat_film(sea, {s.line, Index<T>(back_into_water), T(abs(direction.z))}, ways);
 }
 
 /// The air between the sea and an instrument in a region; `cosine`: of the light's direction there
@@ -291,8 +279,14 @@ struct Completion {
     surface.clear();
     emission.clear();
   }
-  void pass(const medium::MediumView& sea, const Passage<T>& passage) {
-    add_passage(sea, passage, ways);
+  void pass(const medium::MediumView& sea, const geometry::Segment<T>& segment) {
+    add_segment(sea, segment, ways);
+  }
+  /// The same of one in a direction that may come to a flat film.
+  void pass_flat(const medium::MediumView& sea, const geometry::Segment<T>& segment,
+                 const Vec3<T>& direction) {
+    add_flat_film(sea, segment, direction, ways);
+    add_segment(sea, segment, ways);
   }
   void collide(const medium::MediumView& sea, const Encounter<T>& encounter) {
     Terms<T>& terms = collision[collisions++];

@@ -26,9 +26,8 @@ struct Ratios {
   PHOTIC_APART PHOTIC_FLATTEN void flown(const medium::MediumView& sea, transport::Photon<T> after,
                                          T length, Mask<T> mask) {
     terms.clear();
-    add_passage(
-        sea,
-        {before.line, before.layer, -before.position.z, after.layer, -after.position.z, length},
+    add_segment(
+        sea, {before.line, geometry::level_of(sea, before), geometry::level_of(sea, after), length},
         terms);
     pass(sea, mask);
   }

@@ -47,7 +47,7 @@ inline Begun begin_walks(const World<double>& world, std::int32_t line, std::int
   FromLaser<double, tally::Ledger> from_laser{{laser, 0}, world, ledger};
   FromTelescope<double, tally::Ledger> from_telescope{{back, 0}, world, receiver};
   const auto met = [](bool, const surface::FacetHit<double>&) {};
-  const auto flown = [](bool, const Passage<double>&) {};
+  const auto flown = [](bool, const geometry::Segment<double>&) {};
   Begun begun;
   BirthRecord<double> of_laser;
   begun.laser = from_laser.birth(n, true, of_laser, met, flown);

@@ -49,9 +49,11 @@ Sea make_other() {
 }
 
 double depth_of_way(const Sea& sea, const Photon<double>& a, const Photon<double>& b) {
-  return sea.view().slant_optical_depth(a.line, geometry::level_of(sea.view(), a),
-                                        geometry::level_of(sea.view(), b),
-                                        length(b.position - a.position));
+  return geometry::optical_depths(
+             sea.view(), geometry::Segment<double>{a.line, geometry::level_of(sea.view(), a),
+                                                   geometry::level_of(sea.view(), b),
+                                                   length(b.position - a.position)})
+      .all;
 }
 
 /// A path on its own.
@@ -217,8 +219,13 @@ std::vector<Element<T>> completed(const medium::MediumView& sea, const Photon<T>
   estimator::Completion<T> completion;
   completion.collide(
       sea, {at.line, at.layer, Mask<T>(false), at.line, one_minus_cos(at.direction, direction)});
-  estimator::add_way(sea, at.line, at.layer, T(-at.position.z), direction, length,
-                     {!submerged, Index<T>(0)}, route_of(mirrored), completion.ways);
+  geometry::Sightline<T> way;
+  way.direction = direction;
+  way.secant_water = T(1) / direction.z;
+  way.to = {!submerged, Index<T>(0)};
+  way.route = route_of(mirrored);
+  completion.pass_flat(sea, geometry::along(sea, way, at.line, geometry::level_of(sea, at), length),
+                       direction);
   std::vector<Element<T>> out(static_cast<std::size_t>(sea.environments.stride));
   estimator::complete<T>(
       sea, completion, lane, [&](std::int32_t e) { return kept.at(0, e); }, out.data());

@@ -252,8 +252,9 @@ class Writer {
     photon_.position = place;
     photon_.layer = transport::layer_at(world_.sea, before.layer, -place.z);
     const auto from = geometry::level_of(world_.sea, before);
-    photon_.path += world_.sea.group_path(photon_.line, from,
-                                          geometry::level_of(world_.sea, photon_), distance);
+    photon_.path += geometry::group_path(
+        world_.sea, geometry::Segment<double>{photon_.line, from,
+                                              geometry::level_of(world_.sea, photon_), distance});
     photon_.weight *= std::exp(-world_.sea.continuous_slant_optical_depth(
         photon_.line, from, world_.sea.continuous_column(photon_.line, from),
         geometry::level_of(world_.sea, photon_), distance));

@@ -55,6 +55,16 @@ TEST(LanesOf, LensPoints) {
   EXPECT_GT(upright, groups);
 }
 
+/// Along the whole of a way from a photon.
+template <class T>
+geometry::OpticalDepths<T> depths_along(const Sea& sea, const geometry::Sightline<T>& way,
+                                        const Photon<T>& from) {
+  const auto view = sea.view();
+  return geometry::optical_depths(
+      view,
+      geometry::along(view, way, from.line, geometry::level_of(view, from), way.length_water));
+}
+
 TEST(LanesOf, WayThroughSurface) {
   Random random(62);
   const auto sea = make_sea(40);
@@ -65,20 +75,16 @@ TEST(LanesOf, WayThroughSurface) {
     });
     const auto wanted = four([&] { return random.chance(0.7); });
     const auto packed = pack(photon);
-    const auto way4 = geometry::sightline_through_surface(sea.view(), packed.position, packed.line,
-                                                          pack(to), pack(wanted));
-    const Lanes4 depth4 = Lanes4(0) - packed.position.z;
-    const auto tau4 =
-        geometry::depths_through_surface(sea.view(), way4, packed.line, packed.layer, depth4);
+    const auto way4 =
+        geometry::sightline(sea.view(), packed.position, packed.line, pack(to),
+                            {true, Index<Lanes4>(0)}, geometry::Route::direct, pack(wanted));
+    const auto tau4 = depths_along(sea, way4, packed);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& one = photon[i];
-      const auto way =
-          geometry::sightline_through_surface(sea.view(), one.position, one.line, to[i], wanted[i]);
+      const auto way = geometry::sightline(sea.view(), one.position, one.line, to[i], {true, 0},
+                                           geometry::Route::direct, wanted[i]);
       expect_same_fields(way4, i, way);
-      if (one.position.z < 0)
-        expect_same_fields(tau4, i,
-                           geometry::depths_through_surface(sea.view(), way, one.line, one.layer,
-                                                            0 - one.position.z));
+      if (one.position.z < 0) expect_same_fields(tau4, i, depths_along(sea, way, one));
     }
   }
 }
@@ -97,16 +103,13 @@ TEST(LanesOf, WayInWater) {
     const auto route = route_of(mirrored);
     const auto way4 = geometry::sightline(sea.view(), packed.position, packed.line,
                                           pack(to).position, {false, packed_end.layer}, route, {});
-    const auto tau4 = geometry::depths_along(sea.view(), way4, packed.line, packed.layer,
-                                             Lanes4(0) - packed.position.z, way4.length_water);
+    const auto tau4 = depths_along(sea, way4, packed);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& one = photon[i];
       const auto way = geometry::sightline(sea.view(), one.position, one.line, to[i].position,
                                            {false, end[i].layer}, route, {});
       expect_same_fields(way4, i, way);
-      expect_same_fields(tau4, i,
-                         geometry::depths_along(sea.view(), way, one.line, one.layer,
-                                                0 - one.position.z, way.length_water));
+      expect_same_fields(tau4, i, depths_along(sea, way, one));
     }
   }
 }

@@ -27,6 +27,13 @@ void expect_depths(const geometry::OpticalDepths<double>& depths, const Sea& sea
   ASSERT_NEAR(depths.walk / walk, 1, 1e-9);
 }
 
+geometry::OpticalDepths<double> depths_along(const Sea& sea, const geometry::Sightline<double>& way,
+                                             std::int32_t line, const V& from, double length) {
+  const auto level = sea.view().level(sea.layer_at(-from.z), -from.z);
+  return geometry::optical_depths(sea.view(),
+                                  geometry::along(sea.view(), way, line, level, length));
+}
+
 // Light that leaves in the way's direction is refracted by Snell's law and must arrive at the
 // point; its spread is that of the rays beside it, its transmittance that of light going the other
 // way. Seen red: with the cosines of air and water swapped in the spread; with
@@ -40,7 +47,7 @@ TEST(WayThroughSurface, IsTheWayOfALightRay) {
     const double n = sea.line[static_cast<std::size_t>(line)].refractive_index;
     const V from = random_place(random);
     const V to{random.between(-10, 10), random.between(-10, 10), random.scale(0.5, 100)};
-    const auto way = geometry::sightline_through_surface(sea.view(), from, line, to, true);
+    auto way = geometry::sightline_through_surface(sea.view(), from, line, to, true);
     ASSERT_TRUE(way.exists);
     ASSERT_NEAR(length(way.direction), 1, 1e-13);
     const double in_water = -from.z / way.direction.z;
@@ -65,9 +72,9 @@ TEST(WayThroughSurface, IsTheWayOfALightRay) {
     enter_water(sea.view(), {true, 0}, down);
     ASSERT_NEAR(way.throughput, down.weight, 1e-9);
 
-    expect_depths(
-        geometry::depths_through_surface(sea.view(), way, line, sea.layer_at(-from.z), -from.z),
-        sea, line, {from, {surface.x, surface.y, 0}});
+    way.to.in_air = true;
+    expect_depths(depths_along(sea, way, line, from, way.length_water), sea, line,
+                  {from, {surface.x, surface.y, 0}});
   }
 }
 
@@ -98,9 +105,7 @@ TEST(WayInWater, IsTheStraightLine) {
       const double length = share * way.length_water;
       const V end = from + length * way.direction;
       way.to.layer = sea.layer_at(-end.z);
-      expect_depths(
-          geometry::depths_along(sea.view(), way, line, sea.layer_at(-from.z), -from.z, length),
-          sea, line, {from, end});
+      expect_depths(depths_along(sea, way, line, from, length), sea, line, {from, end});
     }
   }
 }
@@ -141,9 +146,8 @@ TEST(WayInWater, MirroredIsTheStraightLineToTheMirrorImage) {
       if (end.z < 0) continue;  // in the first half
       end.z = -end.z;
       way.to.layer = sea.layer_at(-end.z);
-      expect_depths(
-          geometry::depths_along(sea.view(), way, line, sea.layer_at(-from.z), -from.z, length),
-          sea, line, {from, {surface.x, surface.y, 0}, end});
+      expect_depths(depths_along(sea, way, line, from, length), sea, line,
+                    {from, {surface.x, surface.y, 0}, end});
     }
   }
   EXPECT_GT(total, 1000);
