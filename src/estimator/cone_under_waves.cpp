@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/random.hpp"
-#include "estimator/by_facets.hpp"
+#include "estimator/crossing.hpp"
 #include "estimator/entry_cone.hpp"
 #include "geometry/axis.hpp"
 #include "instrument/laser.hpp"
@@ -27,8 +27,8 @@ double share_of_several(const medium::MediumView& sea, const Vec3<double>& outsi
     transport::Photon<double> photon;
     photon.direction = outside;
     const auto draw = [&](std::uint32_t block) { return uniforms<double>(key, n, 0, block); };
-    const auto met = light_by_facets(surface, photon, true, true, Facets::any, draw,
-                                     [](bool, const surface::FacetHit<double>&) {});
+    const auto met = walk_by_facets(false, surface, photon, true, true, Facets::any, draw,
+                                    [](bool, const surface::FacetHit<double>&) {});
     if (met.in_water && met.several) sum += std::min(photon.weight, 10.0);
   }
   return sum / rays;
@@ -87,7 +87,7 @@ Turning turning_at(double steep, const medium::Medium& medium) {
 /// `radius`: of the spot that its rays fill on the surface, across them [m].
 bool are_wider_than_slopes(double height, double radius, const EntryCone<double>& flat,
                            const medium::Medium& medium) {
-  if (height < 0 || medium.view().waves.one_dimensional) return false;
+  if (height < 0 || !medium.view().surface.leads_anywhere) return false;
   const auto turning = turning_at(flat.steep, medium);
   return radius > by_slopes_from * turning.per_slope * turning.slope;
 }
@@ -118,7 +118,7 @@ EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, 
   EntryCone<double> cone = flat;
   cone.exact = true;
   cone.even_outside = false;
-  if (sea.waves.one_dimensional) {
+  if (!sea.surface.leads_anywhere) {
     cone.by_facets = 1;
     cone.spot = {};
     cone.by_depth = false;

@@ -190,7 +190,8 @@ EntryCone<double> own_rays(const Rays& rays, const medium::Medium& medium,
   cone.by_depth = false;
   cone.exact = true;
   set_rings(rays, inner, medium, cone);
-  if (medium.view().waves.rough && !cone.in_air) begin_some_at_facets(rays.half_angle, cone);
+  if (!medium.view().surface.one_direction_each && !cone.in_air)
+    begin_some_at_facets(rays.half_angle, cone);
   return cone;
 }
 

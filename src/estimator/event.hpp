@@ -44,30 +44,24 @@ void book_out(Track<T>& t, const Mask<T>& gone, Account& account) {
   t.on = t.on & !gone;
 }
 
-/// Returns whether light from the air is left standing at the surface, which does more to it than
-/// to reflect a share.
-inline bool stands_at_surface(const medium::MediumView& sea) {
-  return sea.waves.rough || sea.film.exists;
-}
-
 /// The places touched by light that sets out in a medium.
 inline transport::Touched touched_at_birth(const medium::MediumView& sea) {
   return sea.upside_down ? transport::Touched::air : transport::Touched::water;
 }
 
-/// Has light of a mask leave the laser, by two uniforms. Light that gets into the water is on its
-/// way, and so is light that stands at such a surface.
+/// Has light of a mask leave the laser, by two uniforms. Light that stands in the water, or has
+/// come down to its surface, is on its way.
 template <class T, class Ledger>
 void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
                     const Mask<T>& exist, Track<T>& t, Ledger& ledger) {
   t.photon = transport::emit(world.laser, world.laser_region.layer, u_polar, u_azimuth);
-  const T emitted = t.photon.weight;
-  const Mask<T> entered = stands_at_surface(world.sea) && world.laser_region.in_air
-                              ? transport::come_down(world.laser_region, t.photon)
-                              : transport::enter_water(world.sea, world.laser_region, t.photon);
-  book(ledger.escaped, exist, select(entered, emitted - t.photon.weight, emitted));
-  t.on = exist & entered;
   t.touched = Index<T>(static_cast<std::int32_t>(touched_at_birth(world.sea)));
+  t.on = exist;
+  if (!world.laser_region.in_air) return;
+  const T emitted = t.photon.weight;
+  const Mask<T> comes = transport::come_down(world.laser_region, t.photon);
+  book(ledger.escaped, exist, select(comes, emitted - t.photon.weight, emitted));
+  t.on = exist & comes;
 }
 
 /// Flights of all photons: at their ends, those that have not come to the sea bed, nor come too
@@ -96,32 +90,6 @@ void end_flight(Steps& steps, Track<T>& t, const transport::FlightEnd<T>& end) {
   book_out(t, !steps.in_time(t.photon), steps.ledger.cut_by_time);
   t.colliding = t.on & !end.surface;
   steps.tally.collisions += count(t.colliding);
-}
-
-/// Weight that leaves the water, of a mask.
-template <class T, class Ledger>
-void book_leaving(Ledger& ledger, const Mask<T>& mask, const transport::Leaving<T>& leaving) {
-  book(ledger.escaped, mask, leaving.through);
-  book(ledger.oil, mask, leaving.into_film);
-}
-
-/// Reflects the photons at the surface, but for the weight that passes; those that are `lossless`
-/// keep all of it. Returns the photons that stood there. leave(mask, direction, weight) is called
-/// for the weight that passes.
-template <class T, class Ledger, class Leave>
-Mask<T> reflect_at_surface(const medium::MediumView& sea, Track<T>& t, const Mask<T>& lossless,
-                           Ledger& ledger, Leave leave) {
-  const Mask<T> reflected = t.on & !t.colliding;
-  if (!any(reflected)) return reflected;
-  transport::Photon<T> down = t.photon;
-  const auto leaving = transport::reflect_down(sea, down, lossless);
-  book_leaving(ledger, reflected, leaving);
-  leave(reflected & (leaving.through > T(0)), leaving.direction, leaving.through);
-  transport::Photon<T>& photon = t.photon;
-  photon.direction.z = select(reflected, down.direction.z, photon.direction.z);
-  photon.weight = select(reflected, down.weight, photon.weight);
-  photon.analog_weight = select(reflected, down.analog_weight, photon.analog_weight);
-  return reflected;
 }
 
 /// Plays roulette, and books losses: weights that are no numbers, and photons that have not ended

@@ -175,7 +175,7 @@ World<T> make_world(const Model& model) {
   world.directed = T(scene::directed_fraction_in(scene));
   world.directs = scene::directed_fraction_in(scene) > 0;
   world.flies_on = world.directs && !world.all_events && world.cones.empty() &&
-                   !world.sea.waves.rough && !world.sea.film.exists;
+                   world.sea.surface.one_direction_each && !world.sea.surface.absorbs;
   world.single_rays = scene.simulation.reception == scene::Reception::ray;
   world.conversion = T(scene.simulation.conversion_probability);
   const Vec3<double> beam = beam_in_water(scene, medium);
@@ -184,8 +184,8 @@ World<T> make_world(const Model& model) {
       T(directed_inverse_conversion), vec3_cast<T>(beam), Index<T>(medium.beam_lobe),
       T(converts ? directed_scattering : 0.0)};
   const Strategies strategies = make_strategies(scene, medium);
-  world.rotates = strategies.rotated.used;
-  world.rotates_scattered = strategies.rotated_scattered.used;
+  world.uses = {strategies.to_laser.used, strategies.between.used, strategies.translated.used,
+                strategies.rotated.used, strategies.rotated_scattered.used};
   const bool one_way = world.groups.size() == 1 && world.telescope_region.front().in_air;
   world.makes_choices = (world.directs && !one_way) || medium.line.size() > 1;
   if (connects) world.walks = static_cast<std::size_t>(scene.simulation.walks);

@@ -52,8 +52,7 @@ Strategy rotated(const medium::Medium& medium, const Vec3<double>& beam) {
   const std::string name = "walks from telescopes rotated about a vertical so that rays meet";
   if (medium.line.size() > 1 && (beam.x != 0 || beam.y != 0))
     return off(name, "light is converted, and looked for about a beam that is not vertical");
-  const auto waves = medium.view().waves;
-  if (waves.rough && !waves.isotropic)
+  if (!medium.view().surface.isotropic)
     return {name, true, "where anisotropic waves have not met what is rotated"};
   return {name, true, {}};
 }

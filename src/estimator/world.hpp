@@ -96,6 +96,13 @@ enum class Scored : std::int8_t {
   from_water  ///< in the air, light that has been in the water
 };
 
+/// The rows of Strategies (strategies.hpp) that histories ask. The use of free walks follows from
+/// the cones and the grids.
+struct UsedStrategies {
+  bool to_laser = true, between = true, translated = true;
+  bool rotated = false, rotated_scattered = false;
+};
+
 /// Light that passes the surface is followed in another world.
 template <class T>
 struct Beyond {
@@ -131,9 +138,8 @@ struct World {
   AveragedPhases averaged;                    ///< over these
   MeetingGrid<T> free_telescope, free_laser;  ///< depths at which rays of free walks meet
   T deepest{};  ///< the greatest depth where light may turn back within the last gate [m]
-  MeetingGrid<T> meeting_grid;     ///< of the bidirectional estimator
-  bool rotates = false;            ///< a telescope's walk may be rotated about where it converts
-  bool rotates_scattered = false;  ///< one of the laser's line also about its first vertex
+  MeetingGrid<T> meeting_grid;  ///< of the bidirectional estimator
+  UsedStrategies uses;          ///< of the bidirectional estimator
   T connected{1};         ///< share of the telescope's walks that are connected with a laser's walk
   std::size_t walks = 0;  ///< of the laser in a set
   std::int32_t max_vertices = 0;  ///< of a walk that is to be connected

@@ -219,9 +219,7 @@ void Medium::finish_bands() {
 WavesView Medium::waves_view() const {
   const optics::SlopeLaw& s = waves.slopes;
   WavesView v;
-  v.rough = !s.is_flat();
   v.one_dimensional = s.is_one_dimensional();
-  v.isotropic = s.is_isotropic();
   v.upwind_x = waves.upwind_x;
   v.upwind_y = waves.upwind_y;
   v.upwind_deviation = std::sqrt(s.upwind_variance);
@@ -260,8 +258,7 @@ MediumView Medium::view() const {
   v.elastic_phase = elastic_phase_.view();
   v.conversion_phase = conversion_phase_.view();
   v.waves = waves_view();
-  v.film = {film.exists, film_band_, film_index_.view(), film_optical_thickness_.view(),
-            film_emission_.view()};
+  v.film = {film_band_, film_index_.view(), film_optical_thickness_.view(), film_emission_.view()};
   EnvironmentsView& e = v.environments;
   e.count = environments.count;
   e.first_tangent = environments.first_tangent;
@@ -275,8 +272,13 @@ MediumView Medium::view() const {
   e.first_surface = e.first_bed + static_cast<std::int32_t>(bed_albedo.size());
   e.other_film = !environments.film.empty();
   e.other_waves = !environments.surface.empty();
-  e.other_surface = e.other_waves || (v.waves.rough && e.other_film);
-  v.waves.isotropic = v.waves.isotropic && !e.other_waves;
+  const bool rough = !waves.slopes.is_flat();
+  v.surface = {!rough,
+               rough && !waves.slopes.is_one_dimensional(),
+               !rough || (waves.slopes.is_isotropic() && !e.other_waves),
+               film_band_ >= 0,
+               film.exists,
+               e.other_waves || (rough && e.other_film)};
   e.other_air = !environments.excess_air.empty();
   e.first_air = e.first_surface + (e.other_waves ? surface_rows : 0);
   e.first_film = e.first_air;

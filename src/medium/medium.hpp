@@ -17,6 +17,7 @@
 #include "medium/air_delay.hpp"
 #include "medium/layering.hpp"
 #include "medium/sources.hpp"
+#include "medium/surface_traits.hpp"
 #include "medium/waves.hpp"
 #include "optics/phase_table.hpp"
 #include "optics/sea_slopes.hpp"
@@ -40,13 +41,9 @@ struct EnvironmentsView {
   std::int32_t parts = 0;        ///< of the scattering that are more or less in some environment
   std::int32_t first_depth = 0;  ///< row of ...
   std::int32_t first_emitted = 0, first_part = 0, first_bed = 0, first_surface = 0;
-  bool other_waves = false;    ///< some have other waves or whitecaps
-  bool other_film = false;     ///< some have another film of oil
-  bool other_surface = false;  ///< facets or whitecaps that light meets count: one of both
-  bool other_air = false;      ///< some have another air between the sea and instruments
-  /// True if the encounters of walks at the surface, or on their way there from the instrument,
-  /// count.
-  [[nodiscard]] bool other_entry() const { return other_surface || other_air; }
+  bool other_waves = false;  ///< some have other waves or whitecaps
+  bool other_film = false;   ///< some have another film of oil
+  bool other_air = false;    ///< some have another air between the sea and instruments
   std::int32_t first_air = 0, first_film = 0, first_emission = 0;
   Table number;           ///< [row][environment]
   IndexTable part_phase;  ///< table in the medium's phases, [line][layer][part]
@@ -113,10 +110,16 @@ struct MediumView {
   IndexTable elastic_phase;     ///< table in `phases`, [line][layer]
   IndexTable conversion_phase;  ///< table in `phases`, [line]; of line 0 unused
   optics::PhaseView phases;
+  SurfaceTraits surface;
   WavesView waves;
   FilmView film;
   EnvironmentsView environments;
 
+  /// True if the encounters of walks at the surface, or on their way there from the instrument,
+  /// count in environments.
+  [[nodiscard]] bool other_entry() const {
+    return surface.differs_in_environments || environments.other_air;
+  }
   template <class I>
   I at(const I& line, const I& layer) const {
     return line * I(places) + layer;

@@ -6,11 +6,10 @@
 
 namespace photic::medium {
 
-/// The slopes of facets along the wind and across it (optics/sea_slopes.hpp), and whitecaps.
+/// The slopes of facets along the wind and across it (optics/sea_slopes.hpp), and whitecaps: of a
+/// surface that scatters light.
 struct WavesView {
-  bool rough = false;                 ///< else the surface is flat, and nothing below counts
   bool one_dimensional = false;       ///< all facets are level across the wind
-  bool isotropic = false;             ///< slopes are alike to all sides, also in environments
   double upwind_x = 1, upwind_y = 0;  ///< towards where the wind comes from, a unit vector
   double upwind_deviation = 0, crosswind_deviation = 0;  ///< of slopes
   optics::GramCharlier series;
@@ -23,9 +22,8 @@ struct WavesView {
 inline constexpr std::int32_t through_film = 0, back_into_water = 1, back_into_air = 2;
 inline constexpr std::int32_t ways_at_film = 3;
 
-/// A film of oil on all of the sea.
+/// A film of oil on all of the sea: of a surface that absorbs light.
 struct FilmView {
-  bool exists = false;           ///< else nothing below counts
   std::int32_t band = -1;        ///< that it emits in; none if no channel counts its light
   ShortTable index;              ///< against air, [line]
   ShortTable optical_thickness;  ///< straight through it, [line]

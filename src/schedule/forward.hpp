@@ -121,7 +121,7 @@ BesideWalks beside_walks(const estimator::Model& model) {
   BesideWalks out;
   if (surface::film_shines(sea))
     out.in_water = std::make_unique<FilmSimulator<Histories>>(model);
-  else if (sea.waves.rough)
+  else if (!sea.surface.one_direction_each)
     out.in_water =
         std::make_unique<SurfaceEchoSimulator<Histories>>(estimator::make_world<T>(model));
   if (model.air) out.in_air = std::make_unique<BothMediaSimulator<Histories>>(model);

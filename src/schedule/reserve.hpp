@@ -20,7 +20,7 @@ struct Carried {
 template <class T>
 Carried carried_in(const estimator::World<T>& world) {
   return {world.sea.bands > 0, world.sea.bed_angles > 0 || world.sea.upside_down,
-          world.sea.waves.rough, world.makes_choices, world.all_events};
+          !world.sea.surface.one_direction_each, world.makes_choices, world.all_events};
 }
 
 /// A stack of photons at the end of a flight, word by word in columns: the last to come goes first.

@@ -35,7 +35,7 @@ class SetsOfWalks {
     if (lanes_of<T> == 1) return 1;
     constexpr std::size_t wanted = 250;
     constexpr std::size_t bytes = 16'000'000;
-    const std::size_t size = estimator::Walks<T>::size(world.sea.environments);
+    const std::size_t size = estimator::Walks<T>::size(world.sea);
     const std::size_t fit = size > 0 ? std::min(wanted, bytes / size) : wanted;
     return std::max<std::size_t>(1, fit / world.walks);
   }

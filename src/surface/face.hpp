@@ -31,7 +31,7 @@ struct Face {
 };
 template <class T>
 Face<T> face_of(const medium::MediumView& sea, const Index<T>& line) {
-  if (!sea.film.exists) return {};
+  if (!sea.surface.absorbs) return {};
   return {true, {gather<T>(sea.film.index, line), gather<T>(sea.film.optical_thickness, line)}};
 }
 

@@ -35,7 +35,7 @@ Aim<T> aim_by_waves(const medium::MediumView& sea, const instrument::Telescope<T
                     const instrument::PlanePoint<T>& lens, const SurfacePointUniforms<T>& u) {
   const auto level = near_level(sea, from, line, in_space(telescope, lens), region, Mask<T>(true));
   const T n1 = region.in_air ? gather<T>(sea.index, line) : T(1);
-  const auto point = sea.waves.one_dimensional
+  const auto point = !sea.surface.leads_anywhere
                          ? draw_point_in_line(sea.waves, telescope, from, lens, level, n1, u).point
                          : draw_point(sea.waves, telescope, from, lens, level, u);
   const Vec3<T> way = point.at - from;

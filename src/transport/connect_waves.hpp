@@ -138,14 +138,14 @@ WavesConnection<T> connect_by_waves(const geometry::Slabs& sea,
   const Vec3<T>& from = photon.position;
   const bool back = !region.in_air;
   const auto level = near_level(sea, from, line, in_space(telescope, lens), region, wanted);
-  const auto point = sea.waves.one_dimensional
+  const auto point = !sea.surface.leads_anywhere
                          ? weighed_point_in_line(surface, telescope, back, from, lens, level, u)
                          : weighed_point(surface, telescope, back, from, lens, level, u);
   WavesConnection<T> out;
   out.onward = point.onward;
   out.sight = point.onward.sight;
   out.direction = point.arriving;
-  if (sea.environments.other_surface)
+  if (sea.surface.differs_in_environments)
     out.meeting =
         surface::meeting_of(surface, Mask<T>(false), back, point.arriving, point.onward.direction);
   const Mask<T> detected = wanted & point.exists & (from.z < T(0));
@@ -180,7 +180,7 @@ SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
   out.sight = way.sight;
   if (!any(way.seen)) return out;
   const auto value = [&](bool reflected) {
-    return sea.waves.one_dimensional
+    return !sea.surface.leads_anywhere
                ? surface.by_whitecaps(in_air, reflected, way.direction)
                : surface.density(in_air, reflected, photon.direction, way.direction);
   };
@@ -188,7 +188,7 @@ SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
   T per_solid_angle(0);
   if (any(reflects)) per_solid_angle = select(reflects, value(true), per_solid_angle);
   if (!all(reflects)) per_solid_angle = select(reflects, per_solid_angle, value(false));
-  if (sea.environments.other_surface) {
+  if (sea.surface.differs_in_environments) {
     const auto meeting = [&](bool reflected) {
       return surface::meeting_of(surface, in_air, reflected, photon.direction, way.direction);
     };

@@ -52,27 +52,30 @@ CameUp<T> come_up(const geometry::Slabs& sea, Photon<T>& photon) {
   return {rises, way};
 }
 
-/// Takes photons from where their instrument stands into the water: from the air through the flat
-/// surface, where their weight takes the share that passes. Returns which photons get there.
-template <class T>
-Mask<T> enter_water(const medium::MediumView& sea, const geometry::Region<T>& from,
-                    Photon<T>& photon) {
-  if (!from.in_air) return Mask<T>(true);
-  const Mask<T> downward = come_down(from, photon);
-  Vec3<T> direction = photon.direction;
-  direction.z = select(downward, direction.z, T(-1));
-  const auto split = surface::flat_surface<T>(sea, photon.line).from_above(direction);
-  photon.direction = select(downward, split.transmitted, photon.direction);
-  photon.weight = photon.weight * select(downward, split.transmittance, T(1));
-  return downward;
-}
-
-/// Weight that comes to the surface and does not come back.
+/// Weight that comes to the surface and does not go down from there.
 template <class T>
 struct Leaving {
-  T through{}, into_film{};
-  Vec3<T> direction;  ///< of the light that goes through
+  T into_air{}, into_film{};
+  Vec3<T> direction;  ///< of the light that goes up in the air
 };
+
+/// Takes a photon that comes down to the flat surface in the air into the water: its weight takes
+/// the share that passes. Photons that do not come down go straight down, and mean nothing.
+template <class T>
+Leaving<T> refract_down(const medium::MediumView& sea, Photon<T>& photon) {
+  Vec3<T> direction = photon.direction;
+  direction.z = select(direction.z < T(0), direction.z, T(-1));
+  const auto split = surface::flat_surface<T>(sea, photon.line).from_above(direction);
+  const T passed = photon.weight * split.transmittance;
+  Leaving<T> leaving{photon.weight - passed, T(0), split.reflected};
+  if (sea.surface.absorbs) {
+    leaving.into_air = photon.weight * split.reflectance;
+    leaving.into_film = photon.weight * (T(1) - split.reflectance - split.transmittance);
+  }
+  photon.direction = split.transmitted;
+  photon.weight = passed;
+  return leaving;
+}
 
 /// Reflects a photon that stands at the surface back into the water: its weight takes the
 /// reflectance, 1 in total reflection at bare water. Clear air returns nothing of what leaves.
@@ -84,9 +87,9 @@ Leaving<T> reflect_down(const medium::MediumView& sea, Photon<T>& photon,
   const T r = select(lossless, T(1), split.reflectance);
   const T gone = photon.weight * (T(1) - r);
   Leaving<T> leaving{gone, T(0), split.transmitted};
-  if (sea.film.exists) {
-    leaving.through = photon.weight * select(lossless, T(0), split.transmittance);
-    leaving.into_film = gone - leaving.through;
+  if (sea.surface.absorbs) {
+    leaving.into_air = photon.weight * select(lossless, T(0), split.transmittance);
+    leaving.into_film = gone - leaving.into_air;
   }
   photon.weight = photon.weight * r;
   photon.analog_weight = photon.analog_weight * r;

@@ -25,7 +25,7 @@ Index<T> touched_at(const medium::MediumView& sea, const Index<T>& layer, const 
 template <class T>
 Index<T> component_of(const medium::MediumView& sea, const Index<T>& line,
                       const Index<T>& touched) {
-  if (sea.bed_angles == 0 && !sea.waves.rough && !sea.upside_down) return line;
+  if (sea.bed_angles == 0 && sea.surface.one_direction_each && !sea.upside_down) return line;
   return touched * Index<T>(sea.lines) + line;
 }
 

@@ -2,13 +2,13 @@
 // at telescopes (docs/theory.md, "The rough surface").
 //
 // Light that a facet sends to the wrong side of the mean surface meets another facet
-// (cross_waves.hpp). Backwards, a walk may thus have come from any facet that sends it to the right
+// (meet_waves.hpp). Backwards, a walk may thus have come from any facet that sends it to the right
 // side: it leaves the surface there, or goes on to a facet so steep that light from the wrong side
 // has come from it.
 #pragma once
 
 #include "surface/waves.hpp"
-#include "transport/cross_waves.hpp"
+#include "transport/meet_waves.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {

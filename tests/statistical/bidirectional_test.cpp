@@ -268,8 +268,8 @@ TEST(Bidirectional, TurningDoesNotMatter) {
   const auto rotated = run_in_lanes(read(scene + simulation(4e5, 31, "", "bidirectional")));
   const auto not_rotated =
       simulate_in(scene + simulation(4e5, 32, "", "bidirectional"), [](auto& world) {
-        ASSERT_TRUE(world.rotates);
-        world.rotates = false;
+        ASSERT_TRUE(world.uses.rotated);
+        world.uses.rotated = false;
       });
   ZFamily gates{0.01};
   std::vector<std::size_t> all(rotated.echo.mean.size());

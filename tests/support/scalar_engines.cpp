@@ -40,7 +40,7 @@ template std::unique_ptr<schedule::Simulator> scalar_engine<double>(const estima
 
 std::unique_ptr<schedule::Simulator> scalar_engine(const estimator::World<double>& world) {
   expect(world.estimator != scene::Estimator::bidirectional ||
-             !(surface::film_shines(world.sea) || world.sea.waves.rough),
+             world.sea.surface.one_direction_each && !world.sea.surface.emits,
          "histories beside walks have a world of their own");
   return make<double>(world, world.estimator, {});
 }

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "estimator/analog/by_chance.hpp"
 #include "estimator/analog/collide_by_chance.hpp"
-#include "estimator/analog/film_by_chance.hpp"
 #include "estimator/beyond.hpp"
 #include "estimator/book.hpp"
-#include "estimator/cross_waves.hpp"
+#include "estimator/crossing.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/event.hpp"
 #include "estimator/random_blocks.hpp"
@@ -21,7 +21,6 @@
 #include "estimator/world.hpp"
 #include "instrument/lens.hpp"
 #include "lanes/each_score.hpp"
-#include "surface/flat.hpp"
 #include "tally/batch_tally.hpp"
 #include "transport/connect.hpp"
 #include "transport/facets_in_line.hpp"
@@ -94,25 +93,13 @@ struct AnalogSteps {
   AnalogPassed<T>& passed;
   std::array<T, 4> u{}, v{};  ///< numbers of the event
 
-  /// A batch's photons n, n + 1, … of a mask leave the laser. The surface's losses, taken from
-  /// their weight, become a chance.
+  /// A batch's photons n, n + 1, … of a mask leave the laser.
   AnalogPhotons<T> birth(const Draws<T>& draws, std::int32_t n, const Mask<T>& exist) {
     AnalogPhotons<T> p{{}, {world.key, draws.photon(Index<T>(n) + lane_numbers<T>()), Index<T>(0)}};
     const auto w = draws.together(n, 0, birth_blocks[0]);
     if (world.sea.bands > 0) p.spectral_bin = medium::spectral_bin_of(w[3]);
     birth_at_laser(world, w[0], w[1], exist, p, ledger);
-    if (world.sea.waves.rough && world.laser_region.in_air) {
-      cross_waves(p, p.on, true, T(0));
-      return p;
-    }
-    if (world.sea.film.exists && world.laser_region.in_air) {
-      come_to_film(p, p.on, true, T(0));
-      return p;
-    }
-    const Mask<T> passes = w[2] < p.photon.weight;
-    book(ledger.roulette, p.on, p.photon.weight - select(passes, T(1), T(0)));
-    p.photon.weight = T(1);
-    p.on = p.on & passes;
+    if (world.laser_region.in_air) cross_surface(p, p.on, true, w[2], T(0));
     return p;
   }
 
@@ -133,24 +120,8 @@ struct AnalogSteps {
     const Mask<T> at_surface = p.on & end.surface;
     end.surface = Mask<T>(false);
     if (!any(at_surface)) return end;
-    if (world.sea.waves.rough) {
-      cross_waves(p, at_surface, false, depth);
-      return fly_on(p, p.photon, at_surface & p.on, depth, end);
-    }
-    if (world.sea.film.exists) {
-      come_to_film(p, at_surface, false, depth);
-      return fly_on(p, p.photon, at_surface & p.on, depth, end);
-    }
-    const auto split =
-        surface::flat_surface<T>(world.sea, p.photon.line).from_below(p.photon.direction);
-    const Mask<T> leaves = at_surface & (u[1] >= split.reflectance);
-    transport::Photon<T> out = p.photon;
-    out.direction = split.transmitted;
-    leave(p, out, leaves, depth);
-    book_out(p, leaves, ledger.escaped);
-    transport::Photon<T> down = p.photon;
-    down.direction = split.reflected;
-    return fly_on(p, down, at_surface & p.on, depth, end);
+    cross_surface(p, at_surface, false, u[1], depth);
+    return fly_on(p, at_surface & p.on, depth, end);
   }
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return estimator::in_time(world, photon);
@@ -194,33 +165,38 @@ struct AnalogSteps {
     passed.push_back(gone);
     book(ledger.escaped, leaving, T(0) - out.weight);  // it has not
   }
-  /// Photons of a mask stand at a rough surface, in the air or in the water; those that rise from
-  /// it may meet a detector. `depth`: of the collision that they come from.
-  void cross_waves(AnalogPhotons<T>& p, const Mask<T>& stand, bool in_air, const T& depth) {
-    const Index<T> of_surface(static_cast<std::int32_t>(transport::Touched::surface));
-    p.touched = select(stand & (p.photon.order == Index<T>(0)), of_surface, p.touched);
-    estimator::cross_waves(
-        world, p.place, p, {stand, Mask<T>(in_air)}, false, ledger,
-        [](const transport::AtWaves<T>&, std::uint32_t) {},
-        [](const transport::AtWaves<T>&, std::uint32_t) { return Mask<T>(false); },
-        [](const Mask<T>&, const surface::FacetHit<T>&) {},
-        [&](const Mask<T>& left, const auto&...) { leave(p, p.photon, left, depth); });
-  }
-  /// Photons of a mask come to a flat film, from the air or from the water. `depth`: of the
-  /// collision that they come from; light of the film comes from none.
-  void come_to_film(AnalogPhotons<T>& p, const Mask<T>& stand, bool in_air, const T& depth) {
-    const auto after = film_by_chance(world.sea, p.place, p.spectral_bin, stand, in_air, p.photon);
-    const T endless(std::numeric_limits<Element<T>>::max());
-    detect(world, p.photon, p.touched, after.up, endless, true, select(after.emitted, T(0), depth),
-           tally);
-    book_out(p, after.up, ledger.escaped);
-    book_out(p, stand & !after.down, ledger.oil);
+  /// Shown what happens to photons at the surface.
+  struct AtDetectors : NoObserver {
+    AnalogSteps& steps;
+    AnalogPhotons<T>& p;
+    T depth;  ///< of the collision that they come from; light of a film comes from none
+
+    void about_to_meet(const transport::AtWaves<T>& at, std::uint32_t facet) {
+      const Index<T> of_surface(static_cast<std::int32_t>(transport::Touched::surface));
+      const Mask<T> fresh = at.meets & (p.photon.order == Index<T>(0));
+      if (facet == 0) p.touched = select(fresh, of_surface, p.touched);
+    }
+    void emitted(const Mask<T>& by_film) { depth = select(by_film, T(0), depth); }
+    void passes(const Mask<T>& mask, const Vec3<T>& direction, const T&) {
+      transport::Photon<T> out = p.photon;
+      out.direction = direction;
+      steps.leave(p, out, mask, depth);
+    }
+  };
+  /// Photons of a mask that stand at the surface cross it, where they may meet a detector, or go
+  /// back. `number`: a uniform.
+  void cross_surface(AnalogPhotons<T>& p, const Mask<T>& stand, bool from_outside, const T& number,
+                     const T& depth) {
+    const Mask<T> standing = stand;
+    ByChance<T, Ledger> rule{{world, p.place, ledger}, p.spectral_bin, number};
+    AtDetectors observer{{}, *this, p, depth};
+    estimator::cross_surface(world.sea.surface, p, standing, from_outside, rule, observer);
   }
   /// Photons of a mask that have been at the surface fly down from there. `depth`: of the collision
   /// that they come from.
-  transport::FlightEnd<T> fly_on(AnalogPhotons<T>& p, transport::Photon<T> down,
-                                 const Mask<T>& flying, const T& depth,
+  transport::FlightEnd<T> fly_on(AnalogPhotons<T>& p, const Mask<T>& flying, const T& depth,
                                  transport::FlightEnd<T> end) {
+    transport::Photon<T> down = p.photon;
     const auto onward = fly_to_detectors(down, p.touched, flying, u[2], depth);
     p.photon = select(flying, down, p.photon);
     end.sea_bed = end.sea_bed | (flying & onward.sea_bed);

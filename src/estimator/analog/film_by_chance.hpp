@@ -90,7 +90,7 @@ AfterFilm<T> film_by_chance(const medium::MediumView& sea, const RandomPlace<T>&
     // The place of its absorption.
     if (!any(absorbed)) continue;
     Mask<T> shines(false);
-    if (surface::film_shines(sea)) {
+    if (sea.surface.emits) {
       const Index<T> line = surface::film_line<T>(sea, spectral_bin);
       shines =
           absorbed & (photon.line == Index<T>(0)) & (u[2] < gather<T>(sea.film.emission, line));

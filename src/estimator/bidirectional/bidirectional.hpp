@@ -54,7 +54,7 @@ struct FromLaser : WalkDraws<T> {
                      : birth_at_laser(world.sea, world.laser, world.laser_region, cone(),
                                       draw_entry(cone(), n, n, u[0], u[1]));
     if (world.laser.collimated) birth.own = birth.exists;
-    if (world.sea.waves.rough) {
+    if (!world.sea.surface.one_direction_each) {
       const auto lost = begin_at_facets(
           world.sea, cone(), u[2], false, birth,
           [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); }, met, flown);
@@ -83,7 +83,7 @@ struct FromLaser : WalkDraws<T> {
   void book_way_in(const Index<T>& walk, const Mask<T>& exist, const std::array<T, 4>& u,
                    const T& weight) {
     T escaped = T(1) - weight;
-    if (world.sea.film.exists) [[unlikely]] {
+    if (world.sea.surface.absorbs) [[unlikely]] {
       const T absorbed = absorbed_on_way_in(world, u[0], u[1], [this, walk](std::uint32_t block) {
         return this->draw(walk, Index<T>(0), block);
       });
@@ -133,7 +133,7 @@ struct FromTelescope : WalkDraws<T> {
                                     record.lens);
     record.telescope = world.groups[receiver.group].narrowest(birth.sight);
     if (!cone().even_outside) birth.exists = exist;
-    if (world.sea.waves.rough) {
+    if (!world.sea.surface.one_direction_each) {
       const auto w = this->draw(walk, Index<T>(0), 2);
       birth.entry.u_choice = w[0], birth.entry.u_slope = w[1], birth.entry.u_azimuth = w[2];
       begin_at_facets(
@@ -208,7 +208,7 @@ class Bidirectional {
 
  private:
   static bool comes_through_flat(const World<T>& world, const geometry::Region<T>& region) {
-    return region.in_air && !world.sea.waves.rough;
+    return region.in_air && world.sea.surface.one_direction_each;
   }
 
   /// A receiver whose light is asked for, and the random numbers of its walks.
@@ -232,7 +232,7 @@ class Bidirectional {
     const Samples<T> samples{T(1),
                              world_.connected,
                              T(walks),
-                             T(world_.rotates ? walks : 0),
+                             T(world_.uses.rotated ? walks : 0),
                              world_.meeting_grid,
                              world_.free_telescope,
                              world_.free_laser};

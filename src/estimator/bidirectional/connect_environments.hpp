@@ -24,7 +24,7 @@ PHOTIC_APART void Connections<T>::complete_to_telescope(const Pairing<T>& pairin
 template <class T>
 void Connections<T>::complete_entry(const Index<T>& line, const geometry::Sightline<T>& way) {
   if (!way.to.in_air) return;
-  if (sea_.environments.other_surface)
+  if (sea_.surface.differs_in_environments)
     completion_.surface.meet(sea_, meeting_along(sea_, line, way));
   add_air(way.to, line, way.arriving.z, completion_.ways);
 }
@@ -40,7 +40,7 @@ PHOTIC_APART void Connections<T>::complete_by_facet(const Pairing<T>& pairing, c
                    transport::from_surface_in_water(sea_, receiver_.region, line, way.onward));
   completion_.collide(sea_, {v.line, v.layer, line > Index<T>(0), line,
                              one_minus_cos(v.direction, way.direction), T(-v.direction.z)});
-  if (sea_.environments.other_surface) completion_.surface.meet(sea_, way.meeting);
+  if (sea_.surface.differs_in_environments) completion_.surface.meet(sea_, way.meeting);
 }
 
 template <class T>
@@ -78,14 +78,14 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPairing<T>& pairi
                                                       const Met<T>& met, const T& depth,
                                                       const Index<T>& layer) {
   const Ray &out = *met.out, &back = *met.back;
-  const bool rough = sea_.waves.rough;
+  const bool facets = !sea_.surface.one_direction_each;
   const auto pass = [&](const Ray& ray, const Walks<T>& walks, const Index<T>& walk,
                         const Index<T>& m, const Mask<T>& sent_back) {
     const Mask<T> reflected = ray.is_reflected();
     WalkPoint<T> left = ray;
     left.position = select(reflected, geometry::mirror_image(ray.position), ray.position);
     left.direction.z = ray.leaving_z();
-    if (rough && any(sent_back)) {
+    if (facets && any(sent_back)) {
       const Ray up = walks.ray(walk, m);
       left.position = select(sent_back, up.position, left.position);
       left.direction = select(sent_back, up.direction, left.direction);
@@ -98,7 +98,7 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPairing<T>& pairi
   };
   completion_.clear();
   completion_.meets = true;
-  if (rough) completion_.sent_back = pairing.reflected;
+  if (facets) completion_.sent_back = pairing.reflected;
   pass(out, laser_, pairing.laser, pairing.i, pairing.reflects_laser());
   pass(back, back_, pairing.back, pairing.m, pairing.reflects_telescope());
   if (is_aslant(telescope_)) {
@@ -133,11 +133,11 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(Pairing<T
                       };
                       const auto of_walks = [&](std::int32_t e) {
                         const auto of_laser = [&] {
-                          return laser_.ratio(sea_.environments, laser[lane], out[lane],
+                          return laser_.ratio(sea_, laser[lane], out[lane],
                                               path.free == Free::laser, whole_leg(1), e);
                         };
                         const auto of_telescope = [&] {
-                          return back_.ratio(sea_.environments, telescope[lane], back[lane],
+                          return back_.ratio(sea_, telescope[lane], back[lane],
                                              path.free == Free::telescope, whole_leg(2), e);
                         };
                         if (technique == Technique::laser) return of_laser();

@@ -45,7 +45,7 @@ T way_down_of(bool in_air, const Vec3<T>& from, const Vec3<T>& to, const Mask<T>
 template <class T>
 Mask<T> Connections<T>::may_be_free(const Walks<T>& walks, std::int32_t instrument,
                                     const Index<T>& walk) const {
-  if (!sea_.waves.rough) return Mask<T>(true);
+  if (sea_.surface.one_direction_each) return Mask<T>(true);
   return (walks.birth_record(walk).spread.solid_angle > T(0)) &
          world_.cone(instrument).frees(walks.vertex(walk, Index<T>(0)).direction);
 }
@@ -145,7 +145,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_telescope(FreePairin
   const RayPair<T> pair = pair_of(pairing);
   const Vertex first = back_.vertex(pairing.back, Index<T>(0));
   const Vec3<T> moved = apart(pair, pairing.depth);
-  if (sea_.waves.rough) {
+  if (!sea_.surface.one_direction_each) {
     const auto entry = entry_to(world_, instrument(), first.line, first.position + moved,
                                 back_.entry(pairing.back), pair.birth.lens, true, mask);
     return free_telescope_by(pairing, pair, first, moved, sightline_along(entry, receiver_.region),
@@ -205,7 +205,7 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const RayP
   met.back = &back;
   if (all(receiver_.line == Index<T>(0))) {  // the pivot is the first vertex
     const Mask<T> rotates =
-        world_.rotates_scattered ? leads_aside(arriving, leaving.direction) : Mask<T>(false);
+        world_.uses.rotated_scattered ? leads_aside(arriving, leaving.direction) : Mask<T>(false);
     met.own_axis = {rotates, first.position.x, first.position.y};
     met.rotates_anew = true;
     met.axis = met.own_axis;
@@ -235,7 +235,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_laser(FreePairing<T>
   const Vec3<T> at = first.position + moved;
   // Walks on a bed whose albedo depends on the angle are never free: see averaged_over_drawn().
   const Mask<T> may = sea_.bed_angles > 1 ? mask & !on_bed(first.layer) : mask;
-  if (sea_.waves.rough) {
+  if (!sea_.surface.one_direction_each) {
     const auto entry =
         entry_to(world_, of_laser, Index<T>(0), at, laser_.entry(pairing.laser), {}, true, may);
     const auto way = sightline_along(entry, world_.laser_region);

@@ -96,7 +96,7 @@ PHOTIC_APART void Connections<T>::meet_under_waves(const RayPairing<T>& pairing,
 template <class T>
 void Connections<T>::meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, const Met<T>& met,
                              const T& depth, const Index<T>& place) {
-  if (sea_.waves.rough) return meet_under_waves(pairing, mask, met, depth, place);
+  if (!sea_.surface.one_direction_each) return meet_under_waves(pairing, mask, met, depth, place);
   meet_there(pairing, mask, met, depth, place);
 }
 
@@ -116,7 +116,7 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
       select(is_pivot(back.line, pairing.m), axis_at(where, back.direction, out.direction),
              rotated_with(met.axis, pairing, pairing.reflects_telescope()));
   RotationAxis<T> axis_of_laser = axis;
-  if (sea_.waves.rough && !sea_.waves.isotropic)
+  if (!sea_.surface.isotropic)
     axis_of_laser.exists = axis_of_laser.exists & !pairing.reflects_laser();
   axis_of_laser.x = axis.x - met.out_moved.x;
   axis_of_laser.y = axis.y - met.out_moved.y;
@@ -151,7 +151,7 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
                                                       at.converts, -out.direction, at.p);
   // Walks that meet where a ray begins that facets have sent back do not come by what is behind.
   T by_out = at.reach_back, by_back = at.reach_out;
-  if (sea_.waves.rough) {
+  if (!sea_.surface.one_direction_each) {
     by_out = by_out * select(laser_side.straight, T(1), at.reach_out);
     by_back = by_back * select(side.straight, T(1), at.reach_back);
   }

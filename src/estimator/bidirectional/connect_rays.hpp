@@ -28,7 +28,7 @@ template <class T>
 template <class Act>
 void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::size_t back,
                                Act act) {
-  const bool rough = sea_.waves.rough;
+  const bool facets = !sea_.surface.one_direction_each;
   lanes::each_index<T>(back_.rays(back), [&](const Index<T>& m, const Mask<T>&) {
     const auto first = static_cast<std::size_t>(each_lane(m)[0]);
     DepthLine line = depth_line_of(back_.ray(Index<T>(back), m));
@@ -39,10 +39,10 @@ void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::
     const Index<T> laser = gather_index<T>(walk_of_.data(), k);
     const Index<T> i = gather_index<T>(ray_of_.data(), k);
     const auto out_line = depth_line_of(laser_.ray(laser, i));
-    const auto image =
-        rough ? depth_line_of(laser_.behind_facets(laser, i)) : reflected(out_line, world_.deepest);
+    const auto image = facets ? depth_line_of(laser_.behind_facets(laser, i))
+                              : reflected(out_line, world_.deepest);
     const Mask<T> returns =
-        mask & (rough ? laser_.is_sent_back(laser, i) : Mask<T>(out_line.rise > T(0)));
+        mask & (facets ? laser_.is_sent_back(laser, i) : Mask<T>(out_line.rise > T(0)));
     for (std::int32_t m = 0; m < back_.rays(back); ++m) {
       DepthLine back_line;
       lines_.each(back_line, [m](T& member, const auto* column) { member = T(column[m]); });
@@ -50,8 +50,8 @@ void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::
                               (out_line.start + back_line.start < receiver_.longest);
       if (!any(in_time)) break;
       const Pairing<T> pairing{laser, i, Index<T>(back), Index<T>(m)};
-      const bool back_returns = rough ? back_.is_sent_back(back, m) : all(back_line.rise > T(0));
-      const auto back_image = rough && back_returns
+      const bool back_returns = facets ? back_.is_sent_back(back, m) : all(back_line.rise > T(0));
+      const auto back_image = facets && back_returns
                                   ? depth_line_of(back_.behind_facets_in_all_lanes(back, m))
                                   : reflected(back_line, world_.deepest);
       for (std::int32_t which = 0; which < (back_returns ? 4 : 2); ++which) {
@@ -69,8 +69,8 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
                                              std::size_t back, Moves moves) {
   const auto birth = back_.birth_record_in_all_lanes(back);
   const bool own = back_.is_own(back);
-  const bool translates =
-      includes(moves, Moves::translations) && any(birth.translation_area > T(0));
+  const bool translates = world_.uses.translated && includes(moves, Moves::translations) &&
+                          any(birth.translation_area > T(0));
   const bool rotates = own && includes(moves, Moves::rotations) && any(samples_.rotated > T(0)) &&
                        back_.pivot_vertex(back) >= 0;
   const bool of_telescope = includes(moves, Moves::free_telescope) && frees(instrument()) &&
@@ -182,7 +182,7 @@ Met<T> Connections<T>::met(const RayPair<T>& pair) const {
   met.axis = met.own_axis = pair.axis();
   if (world_.has_environments) met.line = back_.line(pair.pairing.back);
   met.telescope = seen_by(pair.pairing.back);
-  if (sea_.waves.rough) {
+  if (!sea_.surface.one_direction_each) {
     met.lens = pair.birth.lens;
     met.moved = {T(0), T(0)};
   }
@@ -194,7 +194,7 @@ template <class T>
 void Connections<T>::translate(Met<T>& met, const Vec3<T>& translation) const {
   met.axis.x = met.axis.x + translation.x;
   met.axis.y = met.axis.y + translation.y;
-  if (sea_.waves.rough) met.moved = {translation.x, translation.y};
+  if (!sea_.surface.one_direction_each) met.moved = {translation.x, translation.y};
 }
 
 /// Rays that meet where both are as far from the axis of a rotation.
@@ -229,7 +229,7 @@ RayPair<T> Connections<T>::pair_of(const RayPairing<T>& pairing) const {
   const auto reflect = [&](const Mask<T>& mask, const Walks<T>& walks, const Index<T>& walk,
                            const Index<T>& m, Ray& ray) {
     if (!any(mask)) return;
-    lanes::assign<T>(mask, sea_.waves.rough ? walks.behind_facets(walk, m) : reflected(sea_, ray),
+    lanes::assign<T>(mask, walks.has_facets() ? walks.behind_facets(walk, m) : reflected(sea_, ray),
                      ray);
   };
   reflect(pairing.reflects_laser(), laser_, pairing.laser, pairing.i, pair.out);
@@ -277,7 +277,7 @@ void Connections<T>::meet_translated(const RayPair<T>& pair, const Mask<T>& mask
   auto met = this->met(pair);
   met.telescope = seen_by(sight);
   translate(met, in_plane(telescope_, lens) - in_plane(telescope_, pair.birth.lens));
-  if (sea_.waves.rough) met.lens = lens;
+  if (!sea_.surface.one_direction_each) met.lens = lens;
   meet_at(pair.pairing, passes, met, depth, place);
 }
 

@@ -108,7 +108,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const RayPair<T>& p
   auto met = this->met(pair);
   met.telescope = telescope;
   translate(met, in_plane(telescope_, aside) + longer * outward);
-  if (sea_.waves.rough) met.lens = lens;
+  if (!sea_.surface.one_direction_each) met.lens = lens;
   Ray back = pair.back;
   if (telescope_.submerged) {  // there a first ray begins at the lens, or at facets
     const Mask<T> at_lens = (pair.pairing.m + back_.facets(pair.pairing.back)) == Index<T>(0);

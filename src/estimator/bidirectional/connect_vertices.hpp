@@ -36,13 +36,14 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
     }
     return;
   }
-  if (sea_.waves.rough) score_by_facet(pairing, v, birth.lens, wanted & (pairing.i == Index<T>(0)));
+  if (!sea_.surface.one_direction_each)
+    score_by_facet(pairing, v, birth.lens, wanted & (pairing.i == Index<T>(0)));
   const Mask<T> may_be_seen =
       wanted & transport::may_see(sea_, telescope_, v.position, line, birth.lens);
   if (!any(may_be_seen)) return;
   const Vec3<T> at = in_space(telescope_, birth.lens);
   for (const auto route : geometry::routes_to(receiver_.region.in_air)) {
-    if (sea_.waves.rough && route == geometry::Route::mirrored) return;
+    if (!sea_.surface.one_direction_each && route == geometry::Route::mirrored) return;
     const auto way =
         geometry::sightline(sea_, v.position, line, at, receiver_.region, route, may_be_seen);
     score_to_telescope(pairing, v, way,
@@ -167,7 +168,7 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
 
 template <class T>
 void Connections<T>::to_laser(std::size_t walk) {
-  if (!connects(world_.laser_region)) return;
+  if (!world_.uses.to_laser) return;
   lanes::each_index<T>(back_.vertices(walk), [&](const Index<T>& m, const Mask<T>& mask) {
     to_laser_.push(mask, pairing_of<T>(walk, Index<T>(0), walk, m),
                    [this](const auto& e, const auto& all) { serve_to_laser(e, all); });
@@ -178,13 +179,11 @@ template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>& pairing,
                                                                 const Mask<T>& mask) {
   const auto& laser = world_.laser;
-  const bool through_waves = enters_through_waves(world_, world_.laser_region);
-  if (!through_waves && !can_be_met(laser)) return;
   const Vertex w = back_.in_path(pairing.back, pairing.m, usable(pairing.m + Index<T>(1)));
   Mask<T> wanted = mask & emits(w.line, w.layer);
-  if (sea_.waves.rough) wanted = wanted & !is_scored_by_facet(pairing);
+  if (!sea_.surface.one_direction_each) wanted = wanted & !is_scored_by_facet(pairing);
   const Index<T> line(0);
-  if (through_waves) {
+  if (enters_through_waves(world_, world_.laser_region)) {
     const auto own = laser_.entry(pairing.laser);
     for (const bool by_slopes : {false, true}) {
       if (by_slopes && !world_.laser_cone.enters_by_slopes) break;
@@ -197,7 +196,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>
   const Vec3<T> vertex = fictitious_vertex(laser);
   for (const auto route : geometry::routes_to(world_.laser_region.in_air)) {
     // Light that facets of waves send down to a vertex is left to the laser's walks.
-    if (sea_.waves.rough && route == geometry::Route::mirrored) return;
+    if (!sea_.surface.one_direction_each && route == geometry::Route::mirrored) return;
     const auto way =
         geometry::sightline(sea_, w.position, line, vertex, world_.laser_region, route, wanted);
     score_to_laser(pairing, w, way, way_to_laser(wanted, w.position, w.layer, way));
@@ -296,6 +295,7 @@ void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
 
 template <class T>
 void Connections<T>::between(std::size_t walk) {
+  if (!world_.uses.between) return;
   lanes::each_index<T>(laser_.vertices(walk), [&](const Index<T>& i, const Mask<T>& mask) {
     const T path = laser_.vertex(Index<T>(walk), i).path;
     for (std::int32_t m = 0; m < back_.vertices(walk); ++m) {

@@ -218,7 +218,7 @@ class Connections {
   /// Returns whether vertices can be connected to an instrument in a region: waves of one direction
   /// lead no ray of it to a given point.
   [[nodiscard]] bool connects(const geometry::Region<T>& region) const {
-    return !(sea_.waves.one_dimensional && region.in_air);
+    return sea_.surface.one_direction_each || sea_.surface.leads_anywhere || !region.in_air;
   }
   [[nodiscard]] std::int32_t instrument() const { return of_telescope(receiver_.telescope); }
   /// The places on the bed, where places are asked for.
@@ -292,14 +292,14 @@ class Connections {
   [[nodiscard]] RotationAxis<T> axis_at(const Vec3<T>& place, const Vec3<T>& telescope_edge,
                                         const Vec3<T>& laser_edge) const {
     const Mask<T> scatters =
-        world_.rotates_scattered ? leads_aside(telescope_edge, laser_edge) : Mask<T>(false);
+        world_.uses.rotated_scattered ? leads_aside(telescope_edge, laser_edge) : Mask<T>(false);
     return {Mask<T>((receiver_.line > Index<T>(0)) | scatters), place.x, place.y};
   }
   /// The same in paths whose pivot lies on the telescope's walk, where ray m and all that lies
   /// between are rotated, too. `reflected`: facets have sent that ray back.
   [[nodiscard]] RotationAxis<T> rotated_with(RotationAxis<T> axis, const Pairing<T>& pairing,
                                              const Mask<T>& reflected) const {
-    if (!sea_.waves.rough) return axis;
+    if (sea_.surface.one_direction_each) return axis;
     const Index<T> last = select(reflected, pairing.m, pairing.m - Index<T>(1));
     axis.exists = axis.exists & back_.rotates(pairing.back, last);
     return axis;

@@ -11,7 +11,7 @@
 #include "core/turn.hpp"
 #include "estimator/bidirectional/beam_spread.hpp"
 #include "estimator/bidirectional/birth.hpp"
-#include "estimator/by_facets.hpp"
+#include "estimator/crossing.hpp"
 #include "estimator/entry_cone.hpp"
 #include "estimator/variations/environments.hpp"
 #include "estimator/world.hpp"
@@ -29,7 +29,7 @@ namespace photic::estimator {
 /// Returns whether an instrument's rays come into the water through waves.
 template <class T>
 bool enters_through_waves(const World<T>& world, const geometry::Region<T>& region) {
-  return world.sea.waves.rough && region.in_air;
+  return !world.sea.surface.one_direction_each && region.in_air;
 }
 
 /// The area over which a telescope draws rays of a direction, of the open lens as they come through
@@ -265,7 +265,7 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
   photon.line = line;
   photon.layer = region.layer;
   const Mask<T> drawn_facets = entry.exists & (u_polar >= cone.others());
-  const bool by_any = sea.waves.one_dimensional;  // else by several: one can be found
+  const bool by_any = !sea.surface.leads_anywhere;  // else by several: one can be found
   if (!by_any) {
     const Vec3<T> axis = axis_in_water(sea, cone, entry);
     const Vec3<T> direction = direction_about(axis, cone, u_polar, u_azimuth);
@@ -278,7 +278,7 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
     }
     birth.spread.solid_angle = solid_angle;
     birth.exists = entry.exists & (direction.z < T(0));
-    if (sea.environments.other_surface)
+    if (sea.surface.differs_in_environments)
       met_surface(Mask<T>(!drawn_facets),
                   surface::meeting_of(surface::rough_surface<T>(sea, line), Mask<T>(true), false,
                                       entry.outside, direction));
@@ -290,9 +290,7 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
     const auto surface = surface::rough_surface<T>(sea, line);
     const auto which = by_any ? Facets::any : Facets::several;
     const auto met =
-        from_telescope
-            ? back_by_facets(surface, by, drawn_facets, true, which, draw, met_surface)
-            : light_by_facets(surface, by, drawn_facets, true, Facets::any, draw, met_surface);
+        walk_by_facets(from_telescope, surface, by, drawn_facets, true, which, draw, met_surface);
     photon = select(drawn_facets, by, photon);
     birth.spread.solid_angle = select(drawn_facets, T(0), birth.spread.solid_angle);
     birth.exists =
@@ -309,15 +307,12 @@ PHOTIC_APART T absorbed_on_way_in(const World<T>& world, T u_polar, T u_azimuth,
   auto photon = transport::emit(world.laser, world.laser_region.layer, u_polar, u_azimuth);
   if (!world.laser_region.in_air) return T(0);
   const Mask<T> comes = transport::come_down(world.laser_region, photon);
-  if (world.sea.waves.rough) {
-    const auto surface = surface::rough_surface<T>(world.sea, photon.line);
-    return light_by_facets(surface, photon, comes, true, Facets::any, draw, [](const auto&...) {})
-        .into_film;
-  }
-  Vec3<T> direction = photon.direction;
-  direction.z = select(comes, direction.z, T(-1));
-  const auto split = surface::flat_surface<T>(world.sea, photon.line).from_above(direction);
-  return select(comes, T(1) - split.reflectance - split.transmittance, T(0));
+  if (world.sea.surface.one_direction_each)
+    return select(comes, transport::refract_down(world.sea, photon).into_film, T(0));
+  const auto surface = surface::rough_surface<T>(world.sea, photon.line);
+  return walk_by_facets(false, surface, photon, comes, true, Facets::any, draw,
+                        [](const auto&...) {})
+      .into_film;
 }
 
 /// Weight of the laser's light that facets do not send down in the water.
@@ -342,10 +337,8 @@ NotSentDown<T> begin_at_facets(const geometry::Slabs& sea, const EntryCone<T>& c
   const T comes = by.weight;
   const Mask<T> stand = rises & (comes > T(0));
   const auto surface = surface::rough_surface<T>(sea, by.line);
-  const auto met =
-      from_telescope
-          ? back_by_facets(surface, by, stand, false, Facets::that_return, draw, met_surface)
-          : light_by_facets(surface, by, stand, false, Facets::that_return, draw, met_surface);
+  const auto met = walk_by_facets(from_telescope, surface, by, stand, false, Facets::that_return,
+                                  draw, met_surface);
   birth.photon = select(stand, by, birth.photon);
   birth.spread.solid_angle = select(chosen, T(0), birth.spread.solid_angle);
   birth.facets = select(chosen, select(met.several, Index<T>(2), Index<T>(1)), Index<T>(0));

@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "estimator/bidirectional/birth.hpp"
+#include "estimator/bidirectional/facet_records.hpp"
 #include "estimator/bidirectional/first_vertex.hpp"
 #include "estimator/bidirectional/meet.hpp"
 #include "estimator/bidirectional/vertex.hpp"
@@ -29,7 +31,7 @@ class Walks {
   Walks(std::size_t walks, bool from_telescope, bool through_surface, const medium::MediumView& sea)
       : from_telescope_(from_telescope),
         through_surface_(through_surface),
-        facets_have_sides_(sea.waves.rough && !sea.waves.isotropic),
+        facets_have_sides_(!sea.surface.isotropic),
         record_(walks),
         ray_(walks * stride),
         vertex_(walks * stride),
@@ -37,11 +39,6 @@ class Walks {
         near_first_(walks),
         free_area_(walks),
         rotated_first_(walks),
-        entry_(sea.waves.rough ? walks : 0),
-        facets_(sea.waves.rough ? walks : 0),
-        behind_facets_(sea.waves.rough ? walks * stride : 0),
-        sent_back_(sea.waves.rough ? walks * stride : 0),
-        facets_beyond_(from_telescope && facets_have_sides_ ? walks : 0),
         rays_(walks),
         vertices_(walks),
         pivot_vertex_(walks),
@@ -51,7 +48,10 @@ class Walks {
         line_(walks),
         first_on_bed_(sea.bed_angles > 0 ? walks : 0),
         ratios_(sea.environments, walks * stride),
-        at_surface_(sea.environments, sea.environments.other_entry() ? walks * stride : 0) {}
+        at_surface_(sea.environments, sea.other_entry() ? walks * stride : 0) {
+    if (!sea.surface.one_direction_each)
+      facets_.emplace(walks, walks * stride, from_telescope && facets_have_sides_);
+  }
 
   // Written by walkers, in the lanes of a mask.
   void birth(const Mask<T>& mask, const Index<T>& walk, const BirthRecord<T>& record,
@@ -63,14 +63,14 @@ class Walks {
     scatter(mask, walk, record.line, line_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
     scatter(mask, walk, Index<T>(-1), pivot_vertex_.data());
-    if (!facets_beyond_.empty()) scatter(mask, walk, Index<T>(max_vertices), facets_beyond_.data());
+    begin_beyond(mask, walk);
     if (!first_on_bed_.empty()) scatter(mask, walk, Index<T>(max_vertices), first_on_bed_.data());
-    if (!facets_.empty()) scatter(mask, walk, record.facets, facets_.data());
+    if (facets_) scatter(mask, walk, record.facets, facets_->sent_down.data());
     add(mask, walk, Index<T>(0), first);
   }
   /// Notes that the walks of a mask come through waves.
   void enter(const Mask<T>& mask, const Index<T>& walk, const SurfaceEntry<T>& entry) {
-    entry_.put(mask, walk, entry);
+    facets_->entry.put(mask, walk, entry);
   }
   /// Notes that the walks of a mask do not set out.
   void leave_out(const Mask<T>& mask, const Index<T>& walk) {
@@ -80,13 +80,13 @@ class Walks {
   void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& m, const Ray& ray) {
     ray_.put(mask, slot(walk, m), ray);
     scatter(mask, walk, m + Index<T>(1), rays_.data());
-    if (!sent_back_.empty()) scatter(mask, slot(walk, m), Index<T>(0), sent_back_.data());
+    if (facets_) scatter(mask, slot(walk, m), Index<T>(0), facets_->sent_back.data());
   }
   /// Facets of waves have sent ray m back, which goes on so.
   void send_back(const Mask<T>& mask, const Index<T>& walk, const Index<T>& m, const Ray& behind) {
-    behind_facets_.put(mask, slot(walk, m), behind);
-    scatter(mask, slot(walk, m), Index<T>(1), sent_back_.data());
-    if (!facets_beyond_.empty()) scatter(mask & rotates(walk, m), walk, m, facets_beyond_.data());
+    facets_->behind.put(mask, slot(walk, m), behind);
+    scatter(mask, slot(walk, m), Index<T>(1), facets_->sent_back.data());
+    if (keeps_beyond()) scatter(mask & rotates(walk, m), walk, m, facets_->beyond.data());
   }
   void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i, const Vertex& vertex) {
     vertex_.put(mask, slot(walk, i), vertex);
@@ -115,8 +115,7 @@ class Walks {
                              Mask<T>(of_elastic_light) &
                              leads_aside(vertex.direction, ray.direction);
     const Mask<T> pivots = converts | scatters;
-    if (!facets_beyond_.empty())
-      scatter((mask & first) | converts, walk, Index<T>(max_vertices), facets_beyond_.data());
+    begin_beyond((mask & first) | converts, walk);
     if (any(pivots)) {
       scatter(pivots, walk, i, pivot_vertex_.data());
       pivot_.put(pivots, walk, pivot_at(sea, vertex, ray));
@@ -132,9 +131,9 @@ class Walks {
   [[nodiscard]] PathRatios<T>& at_surface() { return at_surface_; }
   /// Product and depth of a walk up to where ray m leaves a vertex, or comes into the water, for
   /// environments from `first` on; `whole_leg`: and of what the surface does to it from there on.
-  [[nodiscard]] std::array<T, 2> ratio(const medium::EnvironmentsView& environments,
-                                       std::int32_t walk, std::int32_t m, bool is_free,
-                                       bool whole_leg, std::int32_t first) const {
+  [[nodiscard]] std::array<T, 2> ratio(const medium::MediumView& sea, std::int32_t walk,
+                                       std::int32_t m, bool is_free, bool whole_leg,
+                                       std::int32_t first) const {
     const auto slot = [&](std::int32_t ray) {
       return static_cast<std::size_t>(walk) * stride + static_cast<std::size_t>(ray);
     };
@@ -142,23 +141,25 @@ class Walks {
     const auto of_walk = [&] {
       if (m < 2) return of_ray(is_free ? 0 : m);
       if (is_free) return of_ray(m);
-      return joined(environments, first, of_ray(1), of_ray(m));
+      return joined(sea.environments, first, of_ray(1), of_ray(m));
     };
-    const bool meets = environments.other_entry() && (m == 0 ? !is_free : whole_leg);
+    const bool meets = sea.other_entry() && (m == 0 ? !is_free : whole_leg);
     if (!meets) return of_walk();
-    return joined(environments, first, of_walk(), at_surface_.at(slot(m), first));
+    return joined(sea.environments, first, of_walk(), at_surface_.at(slot(m), first));
   }
   /// The slot of ray or vertex i of a walk.
   static Index<T> slot(const Index<T>& walk, const Index<T>& i) {
     return walk * Index<T>(stride) + i;
   }
   /// So many bytes does a walk take in environments.
-  static std::size_t size(const medium::EnvironmentsView& environments) {
-    return (environments.other_entry() ? 2 : 1) * stride * PathRatios<T>::size(environments);
+  static std::size_t size(const medium::MediumView& sea) {
+    return (sea.other_entry() ? 2 : 1) * stride * PathRatios<T>::size(sea.environments);
   }
 
   [[nodiscard]] bool from_telescope() const { return from_telescope_; }
   [[nodiscard]] bool through_surface() const { return through_surface_; }
+  /// Returns whether facets of the surface send light on.
+  [[nodiscard]] bool has_facets() const { return facets_.has_value(); }
 
   // Values of one walk.
   [[nodiscard]] std::int32_t rays(std::size_t walk) const { return rays_[walk]; }
@@ -178,10 +179,10 @@ class Walks {
   }
   /// Returns whether facets have sent ray m back, and that ray behind them.
   [[nodiscard]] bool is_sent_back(std::size_t walk, std::int32_t m) const {
-    return sent_back_[walk * stride + static_cast<std::size_t>(m)] != 0;
+    return facets_->sent_back[walk * stride + static_cast<std::size_t>(m)] != 0;
   }
   [[nodiscard]] Ray behind_facets_in_all_lanes(std::size_t walk, std::int32_t m) const {
-    return behind_facets_.in_all_lanes(walk * stride + static_cast<std::size_t>(m));
+    return facets_->behind.in_all_lanes(walk * stride + static_cast<std::size_t>(m));
   }
   [[nodiscard]] Vertex vertex_in_all_lanes(std::size_t walk, std::int32_t i) const {
     return vertex_.in_all_lanes(walk * stride + static_cast<std::size_t>(i));
@@ -195,24 +196,26 @@ class Walks {
   }
   /// BirthRecord::facets.
   [[nodiscard]] Index<T> facets(const Index<T>& walk) const {
-    return facets_.empty() ? Index<T>(0) : gather_index<T>(facets_.data(), walk);
+    return facets_ ? gather_index<T>(facets_->sent_down.data(), walk) : Index<T>(0);
   }
   /// Its entry through waves.
-  [[nodiscard]] SurfaceEntry<T> entry(const Index<T>& walk) const { return entry_.at(walk); }
+  [[nodiscard]] SurfaceEntry<T> entry(const Index<T>& walk) const {
+    return facets_->entry.at(walk);
+  }
   [[nodiscard]] Ray ray(const Index<T>& walk, const Index<T>& m) const {
     return ray_.at(slot(walk, m));
   }
   [[nodiscard]] Mask<T> is_sent_back(const Index<T>& walk, const Index<T>& m) const {
-    return gather_index<T>(sent_back_.data(), slot(walk, m)) == Index<T>(1);
+    return gather_index<T>(facets_->sent_back.data(), slot(walk, m)) == Index<T>(1);
   }
   [[nodiscard]] Ray behind_facets(const Index<T>& walk, const Index<T>& m) const {
-    return behind_facets_.at(slot(walk, m));
+    return facets_->behind.at(slot(walk, m));
   }
   /// Returns whether a telescope's walk beyond its pivot can be rotated as far as where ray m ends,
   /// if it has come there, and be the same light: facets that have sent it back see it turned.
   [[nodiscard]] Mask<T> rotates(const Index<T>& walk, const Index<T>& m) const {
-    if (facets_beyond_.empty()) return Mask<T>(true);
-    return m < gather_index<T>(facets_beyond_.data(), walk);
+    if (!keeps_beyond()) return Mask<T>(true);
+    return m < gather_index<T>(facets_->beyond.data(), walk);
   }
   [[nodiscard]] Vertex vertex(const Index<T>& walk, const Index<T>& i) const {
     return vertex_.at(slot(walk, i));
@@ -341,6 +344,11 @@ class Walks {
     sum.edges = sum.edges + select(connecting & (m > Index<T>(2)), ray.last_edge, T(0));
     return select(whole, ray.behind, sum);
   }
+  [[nodiscard]] bool keeps_beyond() const { return facets_ && !facets_->beyond.empty(); }
+  /// No facets have sent back the walks of a mask beyond their pivots so far.
+  void begin_beyond(const Mask<T>& mask, const Index<T>& walk) {
+    if (keeps_beyond()) scatter(mask, walk, Index<T>(max_vertices), facets_->beyond.data());
+  }
   /// The densities of rotating a telescope's walk to meet a laser's at a vertex before vertex i,
   /// over reverse_chance.
   [[nodiscard]] T rotated_behind(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
@@ -381,12 +389,7 @@ class Walks {
   lanes::Records<T, NearFirst<T>> near_first_;
   lanes::Records<T, FreeArea<T>> free_area_;
   lanes::Records<T, RotatedMeeting<T>> rotated_first_;
-  lanes::Records<T, SurfaceEntry<T>> entry_;  ///< of walks that come through waves
-  std::vector<std::int32_t> facets_;          ///< that sent it down, under waves
-  lanes::Records<T, Ray> behind_facets_;      ///< rays that go up, as facets have sent them back
-  std::vector<std::int32_t> sent_back_;       ///< of each ray: 1 if they have
-  std::vector<std::int32_t> facets_beyond_;   ///< of each telescope's walk, its first ray beyond
-                                              ///< the pivot that they have; none: many
+  std::optional<FacetRecords<T>> facets_;
   std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_, telescope_,
       line_;                                ///< of each walk
   std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many

@@ -10,7 +10,7 @@
 #include "estimator/bidirectional/leg_terms.hpp"
 #include "estimator/bidirectional/surface_entry.hpp"
 #include "estimator/bidirectional/walk.hpp"
-#include "estimator/by_facets.hpp"
+#include "estimator/crossing.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/event.hpp"
 #include "estimator/termination.hpp"
@@ -99,13 +99,12 @@ class WalkSteps {
     return source_.in_time(photon);
   }
   void cross(WalkTrack<T>& w) {
-    if (sea_.waves.rough) [[unlikely]] {
-      w = cross_waves(sea_, source_, walks_, w);
-      return;
-    }
-    const Mask<T> reflected =
-        reflect_at_surface(sea_, w, Mask<T>(false), ledger, [](const auto&...) {});
-    w.leg.reflected = w.leg.reflected | reflected;
+    const Mask<T> stand = w.on & !w.colliding;
+    if (!any(stand)) return;
+    AtSurface rule{sea_, source_, walks_};
+    NoObserver observer;
+    cross_surface(sea_.surface, w, stand, false, rule, observer);
+    w.leg.reflected = w.leg.reflected | (stand & w.on);
   }
 
   /// The vertex.
@@ -122,7 +121,7 @@ class WalkSteps {
                              first,
                              w.vertices > Index<T>(1),
                              reach,
-                             sea_.waves.rough ? &w.facets : nullptr,
+                             walks_.has_facets() ? &w.facets : nullptr,
                              walks_.rotates(w.walk, w.vertices)};
     vertex_ = vertex_on(sea_, arrival, spread, w.photon, w.axis, samples_);
     walks_.add(w.colliding, w.walk, w.vertices, vertex_);
@@ -168,9 +167,25 @@ class WalkSteps {
         slopes_over_rays(world, instrument, line, position, walks.entry(walk), record.lens, first),
         record.spread);
   }
+  /// The rule of cross_surface(): shares, or facets one by one.
+  struct AtSurface {
+    const geometry::Slabs& sea;
+    Source& source;
+    Walks<T>& walks;
+
+    void cross_flat(WalkTrack<T>& w, const Mask<T>& stand, bool, NoObserver& observer) const {
+      cross_by_shares(sea, w, stand, false, Mask<T>(false), source.ledger, observer);
+    }
+    void cross_film(WalkTrack<T>& w, const Mask<T>& stand, bool, NoObserver& observer) const {
+      cross_flat(w, stand, false, observer);
+    }
+    void cross_facets(WalkTrack<T>& w, const Mask<T>&, bool, NoObserver&) const {
+      w = meet_facets(sea, source, walks, w);
+    }
+  };
   /// Has walks at the surface meet facets until they go down in the water, or have left. Walks
   /// straight from an instrument end: others begin with light sent back by facets.
-  PHOTIC_APART static WalkTrack<T> cross_waves(const geometry::Slabs& sea, Source& source,
+  PHOTIC_APART static WalkTrack<T> meet_facets(const geometry::Slabs& sea, Source& source,
                                                Walks<T>& walks, WalkTrack<T> w) {
     const bool back = walks.from_telescope();
     w.on = w.on & (w.colliding | (w.vertices > Index<T>(0)));
@@ -180,11 +195,10 @@ class WalkSteps {
     const auto draw = [&](std::uint32_t block) { return source.draw(w.walk, w.event, block); };
     const auto surface = surface::rough_surface<T>(sea, w.photon.line);
     const auto met = [&](const Mask<T>& mask, const surface::FacetHit<T>& meeting) {
-      if (sea.environments.other_surface)
+      if (sea.surface.differs_in_environments)
         meet_surface(sea, walks, w.walk, w.vertices, meeting, mask);
     };
-    const auto by = back ? back_by_facets(surface, w.photon, stand, false, Facets::any, draw, met)
-                         : light_by_facets(surface, w.photon, stand, false, Facets::any, draw, met);
+    const auto by = walk_by_facets(back, surface, w.photon, stand, false, Facets::any, draw, met);
     // A walk's weight is what light is worth that comes the path, but for its chances.
     if (back) {
       w.photon.weight = w.photon.weight * select(stand, by.chance, T(1));
@@ -195,14 +209,10 @@ class WalkSteps {
     w.facets.walk_tau = select(stand, w.leg.walk_tau, w.facets.walk_tau);
     walks.send_back(stand & by.in_water, w.walk, w.vertices,
                     behind_facets(w.ray, w.photon, w.facets));
-    T escaped = before - select(by.in_water, w.photon.weight, T(0));
-    if (sea.film.exists) [[unlikely]] {
-      escaped = escaped - by.into_film;
-      book(source.ledger.oil, stand, by.into_film);
-    }
-    book(source.ledger.escaped, stand, escaped);
+    const T gone = before - select(by.in_water, w.photon.weight, T(0));
+    book(source.ledger.oil, stand, by.into_film);
+    book(source.ledger.escaped, stand, gone - by.into_film);
     w.on = w.on & ((!stand) | by.in_water);
-    w.leg.reflected = w.leg.reflected | stand;
     return w;
   }
   void leave_vertex(WalkTrack<T>& w) {
@@ -237,7 +247,7 @@ class WalkSteps {
     }
     if (walks_.from_telescope()) {
       const Mask<T> pivots = walks_.pivot(sea_, colliding, w.walk, w.vertices - Index<T>(1),
-                                          vertex_, ray, world_.rotates_scattered);
+                                          vertex_, ray, world_.uses.rotated_scattered);
       w.axis = select(pivots, {Mask<T>(true), vertex_.position.x, vertex_.position.y}, w.axis);
     }
     if (world_.has_environments) [[unlikely]]
@@ -271,7 +281,7 @@ class WalkSteps {
       const auto ratios = walks.ratios().of(slot);
       ratios.pass(sea.environments, way, k);
       ratios.collide(sea.environments, collision, k);
-      if (!sea.environments.other_entry()) return;
+      if (!sea.other_entry()) return;
       ratios.join(sea.environments, walks.at_surface().of(slot - 1));
       walks.at_surface().of(slot).begin(sea.environments);
     });

@@ -51,7 +51,7 @@ class WalkTracer {
     if (world_.has_environments) [[unlikely]]
       begin_ratios(track.walk, exist);
     const auto met = [&](const Mask<T>& mask, const surface::FacetHit<T>& meeting) {
-      if (world_.sea.environments.other_surface)
+      if (world_.sea.surface.differs_in_environments)
         meet_surface(world_.sea, walks_, track.walk, Index<T>(0), meeting, Mask<T>(mask & exist));
     };
     const auto flown = [&](const Mask<T>& mask, const geometry::Segment<T>& way) {
@@ -68,7 +68,7 @@ class WalkTracer {
     const Mask<T> left_out = exist & source_.left_out(birth);
     walks_.birth(born | left_out, track.walk, record, {walk_point(birth.photon)});
     walks_.leave_out(left_out, track.walk);
-    if (world_.sea.waves.rough) walks_.enter(born | left_out, track.walk, birth.entry);
+    if (walks_.has_facets()) walks_.enter(born | left_out, track.walk, birth.entry);
     waiting_columns_.each(
         track, [&](const auto& member, auto* column) { compress(born, member, column); });
     waiting_ = count(born);
@@ -98,8 +98,7 @@ class WalkTracer {
     for_each_lane(mask, [&](int lane) {
       const auto slot = static_cast<std::size_t>(first[static_cast<std::size_t>(lane)]);
       walks_.ratios().of(slot).begin(world_.sea.environments);
-      if (world_.sea.environments.other_entry())
-        walks_.at_surface().of(slot).begin(world_.sea.environments);
+      if (world_.sea.other_entry()) walks_.at_surface().of(slot).begin(world_.sea.environments);
     });
   }
   /// Notes that walks of a mask have gone a way before their first ray begins.
@@ -114,7 +113,7 @@ class WalkTracer {
     if (!region.in_air || !world_.sea.environments.other_air) return;
     Terms<T> ways;
     add_air(region, birth.photon.line,
-            world_.sea.waves.rough ? T(T(0) - birth.entry.outside.z) : birth.spread.cos_air, ways);
+            walks_.has_facets() ? T(T(0) - birth.entry.outside.z) : birth.spread.cos_air, ways);
     pass_ratios(walks_.at_surface(), walk, mask, ways);
   }
   void pass_ratios(PathRatios<T>& ratios, const Index<T>& walk, const Mask<T>& mask,

@@ -40,7 +40,7 @@ struct SourcesDiffer {
 template <class T>
 SourcesDiffer sources_differ(const World<T>& world) {
   return {world.sea.lines > 1, world.sea.places > 1, world.single_rays,
-          world.sea.bed_angles > 0 || world.sea.upside_down, world.sea.waves.rough};
+          world.sea.bed_angles > 0 || world.sea.upside_down, !world.sea.surface.one_direction_each};
 }
 
 /// Light of one line that leaves collisions, one in each lane: scattered, or converted from another
@@ -173,7 +173,7 @@ void complete_surface(const World<T>&, const transport::Connection<T>&, Completi
 template <class T>
 void complete_surface(const World<T>& world, const transport::WavesConnection<T>& way,
                       Completion<T>& completion) {
-  if (world.sea.environments.other_surface) completion.surface.meet(world.sea, way.meeting);
+  if (world.sea.surface.differs_in_environments) completion.surface.meet(world.sea, way.meeting);
 }
 /// Light that leaves a collision and goes to telescopes of a group, also in environments.
 template <class T, class Way>

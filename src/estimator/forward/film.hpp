@@ -108,39 +108,4 @@ PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, ForwardTracks<T>& t,
   return converted;
 }
 
-/// Has photons of a mask that stand at a flat film, above it or below, go on: some as light that it
-/// emits; the others cross it or are reflected, but for the light absorbed.
-template <class Events, class T, class Ledger>
-PHOTIC_APART void cross_flat_film(const World<T>& world, ForwardTracks<T>& t, const Mask<T>& stand,
-                                  bool in_air, Estimates<T>& estimates, tally::BatchTally& tally,
-                                  Ledger& ledger) {
-  transport::Photon<T>& photon = t.photon;
-  Mask<T> crosses = stand;
-  if (surface::film_shines(world.sea)) {
-    const ComeToFilm<T> film{stand, {Mask<T>(in_air), photon.direction, {T(0), T(0), T(1)}}, T(1)};
-    crosses = stand & !emit_by_film<Events>(world, t, film, 0, estimates, tally, ledger);
-  }
-  const auto crossed = [&](std::int32_t way, const T& cosine) {
-    if (has_environments<Events>(world) && world.sea.environments.other_film)
-      t.ratios.crossed(world.sea, {photon.line, Index<T>(way), cosine}, crosses);
-  };
-  if (!in_air) {
-    crossed(medium::back_into_water, photon.direction.z);
-    transport::Photon<T> down = photon;
-    book_leaving(ledger, crosses, transport::reflect_down(world.sea, down));
-    photon.direction.z = select(crosses, down.direction.z, photon.direction.z);
-    photon.weight = select(crosses, down.weight, photon.weight);
-    photon.analog_weight = select(crosses, down.analog_weight, photon.analog_weight);
-    return;
-  }
-  Vec3<T> direction = photon.direction;
-  direction.z = select(crosses, direction.z, T(-1));
-  const auto split = surface::flat_surface<T>(world.sea, photon.line).from_above(direction);
-  book(ledger.escaped, crosses, photon.weight * split.reflectance);
-  book(ledger.oil, crosses, photon.weight * (T(1) - split.reflectance - split.transmittance));
-  photon.direction = select(crosses, split.transmitted, photon.direction);
-  photon.weight = photon.weight * select(crosses, split.transmittance, T(1));
-  crossed(medium::through_film, T(T(0) - photon.direction.z));
-}
-
 }  // namespace photic::estimator

@@ -58,7 +58,8 @@ struct ForwardTracks : Track<T> {
 /// Returns whether a route to a region leads by waves.
 template <class T>
 bool by_waves(const World<T>& world, const geometry::Region<T>& region, geometry::Route route) {
-  return world.sea.waves.rough && (region.in_air || route == geometry::Route::mirrored);
+  return !world.sea.surface.one_direction_each &&
+         (region.in_air || route == geometry::Route::mirrored);
 }
 
 /// Returns whether a group of telescopes may see a point, by the points of the lenses that take
@@ -67,7 +68,7 @@ template <class T>
 Mask<T> may_be_seen(const World<T>& world, std::size_t g, const Vec3<T>& position,
                     const Index<T>& line, const std::vector<instrument::PlanePoint<T>>& lens) {
   const auto& telescope = world.groups[g].widest;
-  if (world.sea.waves.rough) return Mask<T>(true);  // a steep facet may lead light from anywhere
+  if (!world.sea.surface.one_direction_each) return Mask<T>(true);  // a steep facet may lead it
   return world.single_rays ? transport::may_see(world.sea, telescope, position, line, lens[g])
                            : transport::may_see(world.sea, telescope, position, line);
 }

@@ -22,17 +22,15 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
     const auto u = draws.together(n, 0, lens_blocks[static_cast<std::uint32_t>(k)]);
     t.lens[k] = lens_point(world.groups[k].widest, u[0], u[1]);
   }
-  if (world.sea.waves.rough) t.surface = draws.together(n, 0, surface_blocks[0]);
+  if (!world.sea.surface.one_direction_each) t.surface = draws.together(n, 0, surface_blocks[0]);
   const auto u = draws.together(n, 0, birth_blocks[0]);
   if (world.sea.bands > 0) t.spectral_bin = medium::spectral_bin_of(u[3]);
   birth_at_laser(world, u[0], u[1], exist, t, ledger);
+  if (!world.laser_region.in_air) return;
   if (has_environments<Events>(world))
-    t.ratios.came_down(world.sea, world.laser_region, t.photon.line, t.photon.direction,
-                       stands_at_surface(world.sea), t.on);
-  if (world.sea.waves.rough && world.laser_region.in_air)
-    cross_waves<Events>(world, t, t.on, true, estimates, tally, ledger, {});
-  if (!world.sea.waves.rough && world.sea.film.exists && world.laser_region.in_air)
-    cross_flat_film<Events>(world, t, t.on, true, estimates, tally, ledger);
+    t.ratios.came_down(world.sea, world.laser_region, t.photon.line, t.photon.direction, t.on);
+  const Mask<T> stand = t.on;
+  cross_surface<Events>(world, t, stand, true, estimates, tally, ledger, {});
 }
 
 /// Keeps the copies of a photon that was split, each with random numbers of its own.

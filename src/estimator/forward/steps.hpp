@@ -6,12 +6,12 @@
 #include <functional>
 
 #include "estimator/event.hpp"
+#include "estimator/forward/at_surface.hpp"
 #include "estimator/forward/estimate.hpp"
 #include "estimator/forward/expected_collision.hpp"
 #include "estimator/forward/film.hpp"
 #include "estimator/forward/targets.hpp"
 #include "estimator/forward/tools.hpp"
-#include "estimator/forward/waves.hpp"
 #include "estimator/termination.hpp"
 #include "transport/collide.hpp"
 #include "transport/scatter.hpp"
@@ -68,21 +68,8 @@ struct ForwardSteps {
 
   void cross(ForwardTracks<T>& t) {
     if (flies_on()) return;
-    if (world.sea.waves.rough) {
-      const Mask<T> stand = t.on & !t.colliding;
-      if (any(stand)) cross_waves<Events>(world, t, stand, false, estimates, tally, ledger, leave);
-      return;
-    }
-    if (world.sea.film.exists) [[unlikely]] {
-      const Mask<T> stand = t.on & !t.colliding;
-      if (any(stand)) cross_flat_film<Events>(world, t, stand, false, estimates, tally, ledger);
-      return;
-    }
-    const Mask<T> lossless = Events::tools ? are_forced(world, t.place) : Mask<T>(false);
-    reflect_at_surface(world.sea, t, lossless, ledger,
-                       [&](const Mask<T>& passes, const Vec3<T>& direction, const T& weight) {
-                         pass_surface(world, t, passes, direction, weight, 0, leave);
-                       });
+    cross_surface<Events>(world, t, Mask<T>(t.on & !t.colliding), false, estimates, tally, ledger,
+                          leave);
   }
 
   /// If that has not been done on the way, where only collisions in the water are.
@@ -150,7 +137,7 @@ struct ForwardSteps {
   /// others use the rest of the number that it is played by. Returns which go on.
   Mask<T> reflect_in_flight(ForwardTracks<T>& t, const Mask<T>& reflected,
                             transport::Photon<T>& photon) {
-    book_leaving(ledger, reflected, transport::reflect_down(world.sea, photon));
+    book(ledger.escaped, reflected, transport::reflect_down(world.sea, photon).into_air);
     constexpr double far_less = 1.0 / 8;
     const Mask<T> light = photon.analog_weight < T(far_less) * world.weight_threshold;
     if (!any(reflected & light)) return reflected;

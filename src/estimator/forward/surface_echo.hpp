@@ -20,7 +20,7 @@ void rise_to_surface(const World<T>& world, ForwardTracks<T>& t, Estimates<T>& e
   const Mask<T> rises = t.on & up.rises;
   if (!any(rises)) return;
   if (has_environments<Events>(world)) t.ratios.flown(world.sea, t.photon, up.way.length, rises);
-  cross_waves<Events>(world, t, rises, false, estimates, tally, ledger, {});
+  cross_surface<Events>(world, t, rises, false, estimates, tally, ledger, {});
 }
 
 /// Scores the echo of photons `first` … `first + count - 1` of a batch, if there are waves; nothing
@@ -28,7 +28,7 @@ void rise_to_surface(const World<T>& world, ForwardTracks<T>& t, Estimates<T>& e
 template <class Ledger, class T>
 PHOTIC_APART void surface_echo(const World<T>& world, std::uint64_t first, std::uint64_t count,
                                tally::BatchTally& tally) {
-  if (!world.sea.waves.rough) return;
+  if (world.sea.surface.one_direction_each) return;
   const Draws<T> draws = draws_of_laser(world, first);
   ForwardTracks<T> t(world);
   Estimates<T> estimates(world);

@@ -41,7 +41,7 @@ void add_film(const medium::MediumView& sea, const FilmCrossing<T>& crossing, Te
 /// The same of a flat sea; waves have films of their facets (other_surfaces.hpp).
 template <class T>
 void add_flat_film(const medium::MediumView& sea, const FilmCrossing<T>& crossing, Terms<T>& ways) {
-  if (!sea.waves.rough) add_film(sea, crossing, ways);
+  if (sea.surface.one_direction_each) add_film(sea, crossing, ways);
 }
 
 /// Light that a film emits, lane by lane.

@@ -24,7 +24,7 @@ class OtherSurfaces {
   void clear() { any_ = false; }
   void meet(const medium::MediumView& sea, const surface::FacetHit<T>& m) {
     using std::abs;
-    any_ = sea.environments.other_surface;
+    any_ = sea.surface.differs_in_environments;
     if (!any_) return;
     film_.clear();
     add_film(sea, m.film, film_);

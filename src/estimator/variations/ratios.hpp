@@ -51,17 +51,14 @@ struct Ratios {
     add_flat_film(sea, crossing, terms);
     pass(sea, mask);
   }
-  /// Notes that photons of a mask have come from an instrument in a region to the surface, and go
-  /// in a direction in the air or, else, in the water.
+  /// Notes that photons of a mask have come from an instrument in a region to the surface, in a
+  /// direction.
   PHOTIC_APART PHOTIC_FLATTEN void came_down(const medium::MediumView& sea,
                                              geometry::Region<T> region, Index<T> line,
-                                             Vec3<T> direction, bool in_air, Mask<T> mask) {
+                                             Vec3<T> direction, Mask<T> mask) {
     if (region.air.excess < 0) return;
     terms.clear();
-    if (in_air)
-      add_air(region, line, T(T(0) - direction.z), terms);
-    else
-      add_air_by_flat_surface(sea, region, line, direction, terms);
+    add_air(region, line, T(T(0) - direction.z), terms);
     pass(sea, mask);
   }
   /// A film has emitted the light of those of a mask.

@@ -1,6 +1,6 @@
 // Walks that meet facets one by one: those that go the way of light backwards draw the same ways,
 // and know how likely the others do.
-#include "estimator/by_facets.hpp"
+#include "estimator/crossing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,6 @@ using surface::WavesView;
 /// Steep and not alike to all sides, Gram-Charlier's series included; with whitecaps.
 WavesView steep_waves(double whitecaps) {
   WavesView w;
-  w.rough = true;
   w.upwind_deviation = 0.30, w.crosswind_deviation = 0.24;
   w.upwind_x = std::cos(1.2), w.upwind_y = std::sin(1.2);
   w.series = {.c21 = -0.05, .c03 = -0.10, .c40 = 0.4, .c22 = 0.12, .c04 = 0.23};
@@ -61,9 +60,8 @@ Mean mean_of(By by, const RoughSurface<double>& surface, bool several, Scored sc
     const double c = std::sqrt(1 - u[0]), s = std::sqrt(u[0]), a = 2 * pi * u[1];
     transport::Photon<double> photon;
     const Vec3<double> begun = photon.direction = {s * std::cos(a), s * std::sin(a), c};
-    const auto met = by == By::light
-                         ? light_by_facets(surface, photon, true, false, which, draw, ignored)
-                         : back_by_facets(surface, photon, true, false, which, draw, ignored);
+    const auto met =
+        walk_by_facets(by == By::back, surface, photon, true, false, which, draw, ignored);
     if (!met.in_water || met.several != several) {
       mean.add(0);
       continue;
@@ -142,10 +140,9 @@ Mean mean_from_air(By by, const RoughSurface<double>& surface, bool several, boo
     const auto draw = [&](std::uint32_t block) { return uniforms<double>(key, n, 1, block); };
     transport::Photon<double> photon;
     photon.direction = {0.8, 0.1, -std::sqrt(1 - 0.65)};
-    const auto met = by == By::light
-                         ? light_by_facets(surface, photon, true, true, Facets::any, draw, ignored)
-                         : back_by_facets(surface, photon, true, true,
-                                          must ? Facets::several : Facets::any, draw, ignored);
+    const bool back = by == By::back;
+    const auto which = back && must ? Facets::several : Facets::any;
+    const auto met = walk_by_facets(back, surface, photon, true, true, which, draw, ignored);
     const bool counts = met.in_water && met.several == several;
     mean.add(counts ? photon.weight * (1 + photon.direction.x) : 0);
   }

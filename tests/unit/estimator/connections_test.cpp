@@ -104,7 +104,7 @@ TEST(StrategiesOfPath, OfATiltedLaserInWaterThatConvertsNothingAgree) {
   const Place place = above_water()[1];
   Sea sea(place.source, place.telescope);
   sea.world.inverse_conversion.scattered = 0;
-  sea.world.rotates_scattered = true;
+  sea.world.uses.rotated_scattered = true;
   for (int n = 0; n < 300; ++n) {
     const auto path = random_path(random, 1 + n % 3, 1, n % 2 == 0 ? 4.9 : 25);
     SCOPED_TRACE("path " + std::to_string(n));

@@ -33,7 +33,7 @@ TEST(Escape, IsWhatFlightsDo) {
       const auto end = fly(sea.view(), flown, minus_log((k + 0.5) / flights));
       if (!end.surface && !end.sea_bed) continue;
       ASSERT_EQ(end.surface, away.surface);
-      if (end.surface) flown.weight = reflect_down(sea.view(), flown).through;
+      if (end.surface) flown.weight = reflect_down(sea.view(), flown).into_air;
       ++there;
       weight += flown.weight / flights;
     }

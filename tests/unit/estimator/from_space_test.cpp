@@ -7,6 +7,7 @@
 #include "support/random.hpp"
 #include "transport/connect_ray.hpp"
 #include "transport/cross.hpp"
+#include "unit/transport/enter_water.hpp"
 #include "unit/transport/sea.hpp"
 
 namespace photic::transport {
@@ -79,7 +80,7 @@ TEST_P(FromSpace, LaserLightGetsThereInTime) {
     for (int i = 0; i < samples; ++i) {
       const double u = uniform(random), v = uniform(random);
       auto photon = emit(in_float, 0, float(u), float(v));
-      ASSERT_TRUE(enter_water(sea.view(), {true, 0}, photon));
+      ASSERT_TRUE(test::enter_water(sea.view(), {true, 0}, photon));
       // From the disc, in its plane, straight on.
       const double x = u * laser.one_minus_cos_divergence;
       const V aside = turned(laser.axis, 1.0, std::cos(2 * pi * v), std::sin(2 * pi * v));
@@ -155,7 +156,7 @@ TEST_P(FromSpace, WalksFromTheLaserAreTimed) {
   EXPECT_GT(emitted, samples / 20);
 }
 
-// Seen red: with the path that enter_water() gives.
+// Seen red: with the path that come_down() gives.
 TEST_P(FromSpace, WalksFromTelescopesAreTimed) {
   const Lidar lidar(0.5, GetParam());
   const auto sea = make_sea(60);

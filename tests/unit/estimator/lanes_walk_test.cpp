@@ -5,6 +5,7 @@
 #include "transport/cross.hpp"
 #include "transport/emit.hpp"
 #include "transport/flight.hpp"
+#include "unit/transport/enter_water.hpp"
 #include "unit/transport/packs.hpp"
 #include "unit/transport/sea.hpp"
 
@@ -36,9 +37,9 @@ void emit_and_enter(double half_divergence_mrad, std::uint64_t seed) {
       scalar[i] = emit(instrument::make_laser<double>(source), 0, u1[i], u2[i]);
       expect_same(packed, i, scalar[i]);
     }
-    const auto entered = enter_water(sea.view(), {true, {}}, packed);
+    const auto entered = test::enter_water(sea.view(), {true, {}}, packed);
     for (std::size_t i = 0; i < lanes; ++i) {
-      expect_same(entered[i], enter_water(sea.view(), {true, {}}, scalar[i]), "entered");
+      expect_same(entered[i], test::enter_water(sea.view(), {true, {}}, scalar[i]), "entered");
       expect_same(packed, i, scalar[i]);
       flown_away += !entered[i];
     }
@@ -80,9 +81,9 @@ TEST(LanesOf, FlyAndReflectDown) {
       if (scalar[i].direction.z < 0) scalar[i].direction.z = -scalar[i].direction.z;
       packed.direction.z.set(i, scalar[i].direction.z);
     }
-    const auto leaving = reflect_down(sea.view(), packed).through;
+    const auto leaving = reflect_down(sea.view(), packed).into_air;
     for (std::size_t i = 0; i < lanes; ++i) {
-      expect_same(leaving[i], reflect_down(sea.view(), scalar[i]).through, "leaving");
+      expect_same(leaving[i], reflect_down(sea.view(), scalar[i]).into_air, "leaving");
       expect_same(packed, i, scalar[i]);
       total += leaving[i] == 0;
     }

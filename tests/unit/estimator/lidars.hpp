@@ -38,7 +38,8 @@ struct Sea {
         {0, world.telescopes[0], world.telescope_region[0], world.path_to_origin[0], {}}};
     world.deepest = 40;
     world.max_vertices = max_vertices;
-    world.rotates_scattered =
+    world.uses.to_laser = instrument::can_be_met(world.laser);
+    world.uses.rotated_scattered =
         world.inverse_conversion.beam.x == 0 && world.inverse_conversion.beam.y == 0;
   }
   /// Walks begin so that they may be free, or with the instruments' own rays.

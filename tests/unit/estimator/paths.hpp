@@ -129,7 +129,7 @@ class Writer {
     record.spread = birth.spread;
     record.own = true;
     walks.birth(true, 0, record, ray_);
-    if (world.sea.waves.rough) walks.enter(true, 0, birth.entry);
+    if (walks.has_facets()) walks.enter(true, 0, birth.entry);
   }
 
   void collide_at(const V& place, bool mirrored, const std::optional<WayByFacets>& facets = {}) {
@@ -158,7 +158,7 @@ class Writer {
                                   before == 0,
                                   before > 1,
                                   reach_of(world_.sea, cone, before == 0, photon_, leg),
-                                  world_.sea.waves.rough ? &sent_back : nullptr,
+                                  walks.has_facets() ? &sent_back : nullptr,
                                   walks.rotates(0, before)};
     vertex_ = vertex_on(world_.sea, arrival, spread, photon_, walks.axis(0), samples_);
     walks.add(true, 0, before, vertex_);
@@ -232,7 +232,7 @@ class Writer {
     }
     if (walks.from_telescope())
       walks.pivot(world_.sea, true, 0, walks.vertices(0) - 1, vertex_, ray_,
-                  world_.rotates_scattered);
+                  world_.uses.rotated_scattered);
   }
 
   Walks<double> walks;

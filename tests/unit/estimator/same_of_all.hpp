@@ -89,7 +89,7 @@ inline Counts expect_same_of_all(Sea& sea, const Path& path, const Samples<doubl
 
 /// With walks that may be free, and without.
 inline Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = max_vertices) {
-  Samples<double> samples = sea.world.rotates_scattered ? rotating : translating;
+  Samples<double> samples = sea.world.uses.rotated_scattered ? rotating : translating;
   const Counts counts = expect_same_of_all(sea, path, samples, most);
   samples.free_telescope = samples.free_laser = {};
   sea.begin(false);

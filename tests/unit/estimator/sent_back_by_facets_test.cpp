@@ -30,11 +30,11 @@ struct SeaUnderWaves : Sea {
                 const std::vector<double>& bed = {})
       : Sea(source, telescope, transport::make_sea(bed.empty() ? 40 : 15, bed)) {
     begin(false);
+    world.sea.surface = {
+        .one_direction_each = false, .leads_anywhere = true, .isotropic = isotropic};
     auto& waves = world.sea.waves;
-    waves.rough = true;
     waves.upwind_deviation = 0.1;
     waves.crosswind_deviation = isotropic ? 0.1 : 0.05;
-    waves.isotropic = isotropic;
     if (!bed.empty()) world.deepest = 15;
   }
 };

@@ -91,7 +91,7 @@ struct StrategiesOfPath {
     if (path.line > 0) return true;
     const V& to_telescope = at(path.order()).leaving;
     const V& to_laser = at(path.order() - 1).arriving;
-    return world.rotates_scattered &&
+    return world.uses.rotated_scattered &&
            std::hypot(to_laser.x, to_laser.y) > 3 * std::hypot(to_telescope.x, to_telescope.y);
   }
   /// The same of rotating about the pivot so that rays meet at vertex i.
@@ -104,7 +104,7 @@ struct StrategiesOfPath {
   }
   /// Whether facets send light back, from vertex i to the pivot, that see it turned by a rotation.
   [[nodiscard]] bool meets_facets_with_sides(std::int32_t i) const {
-    if (world.sea.waves.isotropic) return false;
+    if (world.sea.surface.isotropic) return false;
     for (std::int32_t e = i; e < path.pivot(); ++e)
       if (path.facets(e)) return true;
     return false;

@@ -273,7 +273,7 @@ void expect_strategies_agree(const Lidar& lidar, const medium::Waves& waves, boo
     SCOPED_TRACE(std::string(lidar.what) + (bed ? ", bed" : "") + ", path " + std::to_string(n));
     const bool frees = n % 2 == 0;
     sea.begin(frees);
-    Samples<double> samples = sea.world.rotates_scattered ? rotating : translating;
+    Samples<double> samples = sea.world.uses.rotated_scattered ? rotating : translating;
     if (!frees) samples.free_telescope = samples.free_laser = {};
     const std::int32_t order = 1 + n / 2 % 4, line = n / 8 % 2;
     const auto begun = begin_walks(sea.world, line, n);

@@ -58,7 +58,7 @@ TEST(Rotations, AreForNoTiltedLaserInWaterThatConverts) {
                    test::depth_gates(16, 2) + test::simulation(1000, 1, "", "bidirectional"));
     if (direction == "tilted") scene.source.direction = {0.1, 0, -1};
     const Model model = make_model(scene);
-    return make_world<double>(model).rotates;
+    return make_world<double>(model).uses.rotated;
   };
   const std::string elastic = test::channel("elastic");
   EXPECT_TRUE(rotates("upright", elastic));

@@ -6,6 +6,7 @@
 #include "support/random.hpp"
 #include "transport/cross.hpp"
 #include "transport/emit.hpp"
+#include "unit/transport/enter_water.hpp"
 #include "unit/transport/refracted_rays.hpp"
 #include "unit/transport/sea.hpp"
 #include "unit/transport/straight_ways.hpp"
@@ -69,7 +70,7 @@ TEST(WayThroughSurface, IsTheWayOfALightRay) {
     down.line = line;
     down.position = to;
     down.direction = -air;
-    enter_water(sea.view(), {true, 0}, down);
+    test::enter_water(sea.view(), {true, 0}, down);
     ASSERT_NEAR(way.throughput, down.weight, 1e-9);
 
     way.to.in_air = true;

@@ -123,7 +123,9 @@ TEST(WavesView, KnowsWhereTheWindComesFrom) {
 TEST(WavesView, HasTheSlopesAndWhitecapsOfTheScene) {
   const Medium sea = medium_under(cox_munk_sea(10));
   const WavesView waves = sea.view().waves;
-  EXPECT_TRUE(waves.rough);
+  EXPECT_FALSE(sea.view().surface.one_direction_each);
+  EXPECT_TRUE(sea.view().surface.leads_anywhere);
+  EXPECT_FALSE(sea.view().surface.isotropic);
   EXPECT_FALSE(waves.one_dimensional);
   EXPECT_NEAR(waves.upwind_deviation * waves.upwind_deviation, 0.0316, 1e-15);
   EXPECT_NEAR(waves.crosswind_deviation * waves.crosswind_deviation, 0.0222, 1e-15);
@@ -138,6 +140,8 @@ TEST(WavesView, HasTheSlopesAndWhitecapsOfTheScene) {
   for (std::int32_t line = 0; line < sea.view().lines; ++line)
     EXPECT_NEAR(gather<double>(waves.whitecap_reflectance, line), 0.22, 1e-12);
   EXPECT_TRUE(medium_under(paper_sea(5)).view().waves.one_dimensional);
+  EXPECT_FALSE(medium_under(paper_sea(5)).view().surface.leads_anywhere);
+  EXPECT_FALSE(medium_under(paper_sea(5)).view().surface.one_direction_each);
   EXPECT_TRUE(medium_under(gaussian_sea(0, 0.1)).view().waves.one_dimensional);
 }
 
@@ -157,9 +161,10 @@ TEST(WavesView, HasAReflectanceOfWhitecapsForEachLine) {
 TEST(WavesView, IsThatOfAFlatSeaWithoutWind) {
   for (const auto& surface :
        {scene::Surface{}, cox_munk_sea(0), paper_sea(0), gaussian_sea(0, 0)}) {
-    const WavesView waves = medium_under(surface).view().waves;
-    EXPECT_FALSE(waves.rough);
-    EXPECT_EQ(waves.whitecap_fraction, 0);
+    const Medium sea = medium_under(surface);
+    EXPECT_TRUE(sea.view().surface.one_direction_each);
+    EXPECT_TRUE(sea.view().surface.isotropic);
+    EXPECT_EQ(sea.view().waves.whitecap_fraction, 0);
   }
 }
 
@@ -243,8 +248,8 @@ TEST(SurfaceOfAnEnvironment, MayNotBeSteeper) {
   expect_refused(gaussian_cox_munk(5, 1), wind(5), "whitecaps leave some of the surface free");
   for (const auto& good : {over(wind(5), wind(4)), over(cox_munk_sea(10), cox_munk_sea(3)),
                            over(wind(5), gaussian_cox_munk(5, 0.9))})
-    EXPECT_TRUE(medium_of(good).view().environments.other_surface);
-  EXPECT_FALSE(medium_of(over(wind(5), wind(5))).view().environments.other_surface);
+    EXPECT_TRUE(medium_of(good).view().surface.differs_in_environments);
+  EXPECT_FALSE(medium_of(over(wind(5), wind(5))).view().surface.differs_in_environments);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "core/constants.hpp"
 #include "support/random.hpp"
-#include "transport/cross_waves.hpp"
+#include "transport/meet_waves.hpp"
 
 namespace photic::surface {
 namespace {
@@ -18,7 +18,6 @@ constexpr double n = 1.34;
 /// Slopes along x of one deviation, along y of another.
 WavesView waves_of(double upwind_variance, double crosswind_variance) {
   WavesView w;
-  w.rough = true;
   w.upwind_deviation = std::sqrt(upwind_variance);
   w.crosswind_deviation = std::sqrt(crosswind_variance);
   return w;

@@ -7,6 +7,7 @@
 #include "transport/emit.hpp"
 #include "unit/instrument/telescopes.hpp"
 #include "unit/transport/connect_if_seen.hpp"
+#include "unit/transport/enter_water.hpp"
 #include "unit/transport/refracted_rays.hpp"
 #include "unit/transport/sea.hpp"
 #include "unit/transport/straight_ways.hpp"
@@ -35,7 +36,7 @@ double transmittance_downward(const Sea& sea, std::int32_t line, const V& rising
   photon.line = line;
   photon.position = {0, 0, 1};
   photon.direction = -rising_in_air;
-  enter_water(sea.view(), {true, 0}, photon);
+  test::enter_water(sea.view(), {true, 0}, photon);
   return photon.weight;
 }
 

@@ -26,7 +26,6 @@ Sea water() {
 surface::WavesView waves_of(double upwind_deviation, double crosswind_deviation,
                             double from_degrees = 0) {
   surface::WavesView w;
-  w.rough = true;
   w.one_dimensional = upwind_deviation * crosswind_deviation == 0;
   w.upwind_deviation = upwind_deviation;
   w.crosswind_deviation = crosswind_deviation;

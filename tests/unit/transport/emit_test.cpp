@@ -6,6 +6,7 @@
 #include "support/chi_squared.hpp"
 #include "support/random.hpp"
 #include "transport/cross.hpp"
+#include "unit/transport/enter_water.hpp"
 #include "unit/transport/sea.hpp"
 
 namespace photic::transport {
@@ -144,7 +145,7 @@ TEST(EnterWater, ObeysSnellAndFresnel) {
     Photon<double> photon;
     photon.position = {1, 2, 12};
     photon.direction = {0, std::sin(air), -std::cos(air)};
-    ASSERT_TRUE(enter_water(sea.view(), {true, 0}, photon));
+    ASSERT_TRUE(test::enter_water(sea.view(), {true, 0}, photon));
     EXPECT_EQ(photon.position.z, 0);
     EXPECT_EQ(photon.position.x, 1);
     EXPECT_NEAR(photon.position.y, 2 + 12 * std::tan(air), 1e-12);
@@ -163,7 +164,7 @@ TEST(EnterWater, LeavesLightThatFliesAwayAsItIs) {
     Photon<double> photon;
     photon.position = {1, 2, 12};
     photon.direction = direction;
-    EXPECT_FALSE(enter_water(sea.view(), {true, 0}, photon));
+    EXPECT_FALSE(test::enter_water(sea.view(), {true, 0}, photon));
     EXPECT_EQ(photon.position, (V{1, 2, 12}));
     EXPECT_EQ(photon.direction, direction);
     EXPECT_EQ(photon.weight, 1);

@@ -187,7 +187,7 @@ TEST(ReflectDown, KeepsTheReflectedShare) {
     auto photon = photon_from(sea, 0, {std::sin(angle), 0, std::cos(angle)});
     photon.weight = 0.8;
     photon.analog_weight = 0.5;
-    const double leaving = reflect_down(sea.view(), photon).through;
+    const double leaving = reflect_down(sea.view(), photon).into_air;
     EXPECT_NEAR(leaving + photon.weight, 0.8, 1e-15) << degrees;
     EXPECT_NEAR(photon.analog_weight / photon.weight, 0.5 / 0.8, 1e-12);
     EXPECT_EQ(photon.direction, (V{std::sin(angle), 0, -std::cos(angle)}));
@@ -199,7 +199,7 @@ TEST(ReflectDown, KeepsTheReflectedShare) {
     }
   }
   auto straight = photon_from(sea, 0, {0, 0, 1});
-  EXPECT_NEAR(1 - reflect_down(sea.view(), straight).through, std::pow((n - 1) / (n + 1), 2),
+  EXPECT_NEAR(1 - reflect_down(sea.view(), straight).into_air, std::pow((n - 1) / (n + 1), 2),
               1e-15);
 }
 

@@ -101,10 +101,10 @@ WaysOn<T> ways_on(const surface::RoughSurface<T>& surface, const Vec3<T>& direct
   return out;
 }
 
-/// Has photons meet a facet or a whitecap. Photons that then neither go down in the water nor rise
-/// in the air are between facets: they are about to meet another one. Chance decides between the
-/// ways. Where `splits`, if one way leads away from the surface in the air the other one is taken,
-/// and the weight is shared out.
+/// Has photons meet a facet or a whitecap. Photons without weight meet no more. Photons that then
+/// neither go down in the water nor rise in the air are between facets: they are about to meet
+/// another one. Chance decides between the ways. Where `splits`, if one way leads away from the
+/// surface in the air the other one is taken, and the weight is shared out.
 template <class T>
 AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& photon, AtWaves<T>& at,
                          const WavesUniforms<T>& u, bool splits) {
@@ -155,6 +155,9 @@ AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& pho
   met.chance_back = met.chance_back * select(met.in_water, T(1 - further_facet),
                                              select(at.meets & !at.in_air, T(further_facet), T(1)));
   photon.weight = photon.weight * between;
+  const Mask<T> lit = photon.weight > T(0);
+  met.in_water = met.in_water & lit;
+  at.meets = at.meets & lit;
   return met;
 }
 

@@ -3,10 +3,11 @@
 // scored at its collision.
 #pragma once
 
-#include "estimator/cross_waves.hpp"
+#include "estimator/crossing.hpp"
 #include "estimator/forward/estimate.hpp"
 #include "estimator/forward/film.hpp"
 #include "estimator/forward/passing.hpp"
+#include "estimator/forward/tools.hpp"
 #include "estimator/random_blocks.hpp"
 #include "transport/connect_waves.hpp"
 
@@ -36,7 +37,7 @@ void score_from_surface(const World<T>& world, const ForwardTracks<T>& t, const 
   estimates.paths = t.ratios.paths;
   estimates.first = t.ratios.first;
   estimates.completion.clear();
-  if (world.sea.environments.other_surface)
+  if (world.sea.surface.differs_in_environments)
     estimates.completion.surface.meet(world.sea, way.meeting);
   if (group.region.in_air)
     add_air(group.region, photon.line, way.direction.z, estimates.completion.ways);
@@ -49,30 +50,38 @@ template <class Events, class T>
 PHOTIC_APART void score_at_surface(const World<T>& world, const ForwardTracks<T>& t,
                                    const Mask<T>& in_air, const Mask<T>& mask, std::uint32_t facet,
                                    Estimates<T>& estimates, tally::BatchTally& tally) {
-  const auto& waves = world.sea.waves;
+  const bool anywhere = world.sea.surface.leads_anywhere;
   for (std::size_t g = 0; g < world.groups.size(); ++g) {
     const ViewGroup<T>& group = world.groups[g];
     const auto score = [&](const transport::SurfaceConnection<T>& way) {
       score_from_surface<Events>(world, t, group, way, mask, estimates, tally);
     };
-    if (!waves.one_dimensional || waves.whitecap_fraction > 0)
+    if (anywhere || world.sea.waves.whitecap_fraction > 0)
       score(transport::connect_from_surface(world.sea, group.widest, group.region, t.photon, in_air,
                                             t.lens[g]));
-    if (waves.one_dimensional)
+    if (!anywhere)
       score({transport::connect_in_line(world.sea, group.widest, group.region, t.photon, in_air,
                                         uniforms(t.place, line_blocks[facet])[0]),
              {}});
   }
 }
 
-/// Has photons of a mask that stand at the surface cross it or go back. `leave`: see
-/// pass_surface().
+/// Has telescopes score what happens to photons at the surface. `leave`: see pass_surface().
 template <class Events, class T, class Ledger>
-PHOTIC_APART void cross_waves(const World<T>& world, ForwardTracks<T>& t, const Mask<T>& stand,
-                              bool in_air, Estimates<T>& estimates, tally::BatchTally& tally,
-                              Ledger& ledger, const Leave<T>& leave) {
-  const auto& waves = world.sea.waves;
-  const auto score = [&](const transport::AtWaves<T>& at, std::uint32_t facet) {
+struct ScoredAtSurface {
+  const World<T>& world;
+  ForwardTracks<T>& t;
+  Estimates<T>& estimates;
+  tally::BatchTally& tally;
+  Ledger& ledger;
+  const Leave<T>& leave;
+  std::uint32_t passings = 0;
+
+  [[nodiscard]] Mask<T> emit(const Mask<T>& mask, const surface::AtFilm<T>& at, const T& met,
+                             std::uint32_t number) {
+    return emit_by_film<Events>(world, t, {mask, at, met}, number, estimates, tally, ledger);
+  }
+  void about_to_meet(const transport::AtWaves<T>& at, std::uint32_t facet) {
     Mask<T> scored = at.meets;
     const auto fresh = [&] { return t.photon.order == Index<T>(0); };
     if (facet == 0) scored = scored & fresh();
@@ -82,25 +91,30 @@ PHOTIC_APART void cross_waves(const World<T>& world, ForwardTracks<T>& t, const 
       scored = own | who_are_scored(world, t, scored);
     }
     if (any(scored)) score_at_surface<Events>(world, t, at.in_air, scored, facet, estimates, tally);
-  };
-  const auto met = [&](const Mask<T>& meets, const surface::FacetHit<T>& meeting) {
-    if (has_environments<Events>(world) && world.sea.environments.other_surface)
+  }
+  void met(const Mask<T>& meets, const surface::FacetHit<T>& meeting) {
+    if (has_environments<Events>(world) && world.sea.surface.differs_in_environments)
       t.ratios.met(world.sea, meeting, meets);
-  };
-  const auto emit = [&](const transport::AtWaves<T>& at, std::uint32_t facet) {
-    if (!surface::film_shines(world.sea)) return Mask<T>(false);
-    const auto u = uniforms(t.place, facet_blocks[facet]);  // of the facet that is met
-    const auto by = transport::facet_met(waves, t.photon.direction, u[0], u[1]);
-    const Mask<T> meets = at.meets & (by.gain > T(0));
-    return emit_by_film<Events>(world, t,
-                                {meets, {at.in_air, t.photon.direction, by.facet.normal}, by.gain},
-                                facet, estimates, tally, ledger);
-  };
-  std::uint32_t meetings = 0;
-  cross_waves(world, t.place, t, {stand, Mask<T>(in_air)}, true, ledger, score, emit, met,
-              [&](const Mask<T>& passes, const Vec3<T>& direction, const T& weight) {
-                pass_surface(world, t, passes, direction, weight, meetings++, leave);
-              });
+  }
+  void crossed(std::int32_t way, const T& cosine, const Mask<T>& crosses) {
+    if (has_environments<Events>(world) && world.sea.environments.other_film)
+      t.ratios.crossed(world.sea, {t.photon.line, Index<T>(way), cosine}, crosses);
+  }
+  void passes(const Mask<T>& mask, const Vec3<T>& direction, const T& weight) {
+    pass_surface(world, t, mask, direction, weight, passings++, leave);
+  }
+};
+
+/// Has photons of a mask that stand at the surface cross it or go back.
+template <class Events, class T, class Ledger>
+void cross_surface(const World<T>& world, ForwardTracks<T>& t, const Mask<T>& stand,
+                   bool from_outside, Estimates<T>& estimates, tally::BatchTally& tally,
+                   Ledger& ledger, const Leave<T>& leave) {
+  if (!any(stand)) return;
+  SplitsWeight<T, Ledger> rule{{world, t.place, ledger}, Mask<T>(false)};
+  if constexpr (Events::tools) rule.lossless = are_forced(world, t.place);
+  ScoredAtSurface<Events, T, Ledger> observer{world, t, estimates, tally, ledger, leave};
+  cross_surface(world.sea.surface, t, stand, from_outside, rule, observer);
 }
 
 }  // namespace photic::estimator

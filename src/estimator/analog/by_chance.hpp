@@ -1,0 +1,46 @@
+// The crossing of the surface by analog photons: chance decides between all ways.
+#pragma once
+
+#include "estimator/analog/film_by_chance.hpp"
+#include "estimator/crossing.hpp"
+#include "surface/flat.hpp"
+
+namespace photic::estimator {
+
+/// A rule of cross_surface().
+template <class T, class Ledger>
+struct ByChance : FacetsOfHistories<T, Ledger, false> {
+  Index<T> spectral_bin{};
+  T number{};  ///< a uniform
+
+  template <class Observer>
+  void cross_flat(Track<T>& t, const Mask<T>& stand, bool from_outside, Observer& observer) const {
+    auto& ledger = this->ledger;
+    transport::Photon<T>& photon = t.photon;
+    if (from_outside) {  // the loss of weight becomes a chance
+      cross_by_shares(this->world.sea, t, stand, true, Mask<T>(false), ledger, observer);
+      const Mask<T> passes = number < photon.weight;
+      book(ledger.roulette, stand, photon.weight - select(passes, T(1), T(0)));
+      photon.weight = T(1);
+      t.on = t.on & passes;
+      return;
+    }
+    const auto split =
+        surface::flat_surface<T>(this->world.sea, photon.line).from_below(photon.direction);
+    const Mask<T> leaves = stand & (number >= split.reflectance);
+    observer.passes(leaves, split.transmitted, photon.weight);
+    book_out(t, leaves, ledger.escaped);
+    photon.direction = select(stand, split.reflected, photon.direction);
+  }
+  template <class Observer>
+  void cross_film(Track<T>& t, const Mask<T>& stand, bool from_outside, Observer& observer) const {
+    const auto after =
+        film_by_chance(this->world.sea, this->place, spectral_bin, stand, from_outside, t.photon);
+    observer.emitted(after.emitted);
+    observer.passes(after.up, t.photon.direction, t.photon.weight);
+    book_out(t, after.up, this->ledger.escaped);
+    book_out(t, stand & !after.down, this->ledger.oil);
+  }
+};
+
+}  // namespace photic::estimator
