@@ -25,10 +25,10 @@
 //   translated:  1 / g = A |cos cos'| exp(tau + tau') / (c' P_i)    per metre of depth
 //   rotated:     1 / g = 2 pi S exp(tau + tau') / (c' P_i)
 //   on the bed:  1 / g = A l pi exp(tau + tau')    translated, l = MeetingGrid::below_bed()
-// P_i is the phase function at x_i, on the bed |cos| / pi of the connected edge itself. c' is the
-// coefficient that free paths are drawn from, tau the optical depth of an edge by c'. cos, cos',
-// tau, tau' are those of both edges at x_i. A is the translation_area of the telescope, S the
-// RotationJacobian of both directions.
+// P_i is the density of the direction in which x_i is left, the phase function; on the bed |cos| /
+// pi of the connected edge itself. c' is the coefficient that free paths are drawn from, tau the
+// optical depth of an edge by c'. cos, cos', tau, tau' are those of both edges at x_i. A is the
+// translation_area of the telescope, S the RotationJacobian of both directions.
 //
 // Vertices carry the sums of these densities over all that lies behind them on their walk. So a
 // connection knows the densities of all strategies at once, however long its walks are.
