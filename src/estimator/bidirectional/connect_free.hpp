@@ -176,11 +176,9 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const RayP
   const Ray leaving = back_.ray(pairing.back, Index<T>(1));
   const Vec3<T> arriving = -way.direction;
   const Mask<T> bed = on_bed(first.layer), converts = first.line > leaving.line;
-  const T p = transport::scattered_density(
-      sea_, first.layer,
-      select(converts, gather_index<T>(sea_.conversion_phase, first.line),
-             gather_index<T>(sea_.elastic_phase, sea_.at(first.line, first.layer))),
-      arriving, leaving.direction);
+  const T p = density_of(
+      contribution(sea_, interaction_at<T>(sea_, converts, first.line, first.layer, arriving),
+                   leaving.direction));
   const T per_p = T(1) / (p * leaving.per_p);
   const auto drawn = [&](const T& value) {
     return world_.inverse_conversion.scattered_over_phase(sea_, first.layer, leaving.direction,
@@ -262,9 +260,8 @@ void Connections<T>::free_laser_by(const FreePairing<T>& pairing, const RayPair<
   if (!any(to_laser.lit)) return;
   const Ray leaving = laser_.ray(pairing.laser, Index<T>(1));
   const Vec3<T> arriving = -way.direction;
-  const T p = transport::scattered_density(
-      sea_, first.layer, gather_index<T>(sea_.elastic_phase, sea_.at(first.line, first.layer)),
-      arriving, leaving.direction);
+  const T p = density_of(contribution(
+      sea_, scattering_at<T>(sea_, first.line, first.layer, arriving), leaving.direction));
   const T per_p = T(1) / (p * leaving.per_p);
   const T steeper = abs(arriving.z / first.direction.z);
   auto met = this->met(pair);

@@ -6,11 +6,11 @@
 
 namespace photic::estimator {
 
-/// `first`, `last`: the rays leave the laser, the telescope.
+/// `first`, `last`: the rays leave the laser, the telescope. `p`: the density there.
 template <class T>
 MeetingPoint<T> Connections<T>::meeting_point(const Met<T>& met, const Mask<T>& first,
                                               const Mask<T>& last, const T& depth,
-                                              const Index<T>& place) const {
+                                              const Index<T>& place, const T& p) const {
   const Ray &out = *met.out, &back = *met.back;
   const Index<T> line = back.line;
   const Index<T> here = sea_.at(line, place);
@@ -30,11 +30,7 @@ MeetingPoint<T> Connections<T>::meeting_point(const Met<T>& met, const Mask<T>& 
              transport::scattered_share(sea_, line, place, T(-out.direction.z)) *
                  gather<T>(sea_.c.first, here)) *
       gather<T>(sea_.walk_mean_path, here);
-  at.p =
-      transport::scattered_density(sea_, place,
-                                   select(at.converts, gather_index<T>(sea_.conversion_phase, line),
-                                          gather_index<T>(sea_.elastic_phase, here)),
-                                   out.direction, -back.direction);
+  at.p = p;
   at.path = out.path + back.path + path_along(sea_, out, level, at.length_out) +
             path_along(sea_, back, level, at.length_back);
   return at;
@@ -76,7 +72,7 @@ PathFreedom<T> Connections<T>::freedom_at(const RayPairing<T>& pairing, const Me
 template <class T>
 PHOTIC_APART void Connections<T>::meet_under_waves(const RayPairing<T>& pairing,
                                                    const Mask<T>& mask, Met<T> met, const T& depth,
-                                                   const Index<T>& place) {
+                                                   const Index<T>& place, const T& contribution) {
   const Ray& out = *met.out;
   const Vec3<T> where = out.position + out.length_to(depth) * out.direction;
   const auto enter = [&](const Mask<T>& first, std::int32_t instrument, const Index<T>& line,
@@ -90,25 +86,32 @@ PHOTIC_APART void Connections<T>::meet_under_waves(const RayPairing<T>& pairing,
         met.out_spread);
   enter(pairing.m == Index<T>(0), instrument(), met.back->line, entry_of(pairing.back, met),
         met.back_spread);
-  meet_there(pairing, mask & !is_scored_by_facet(pairing), met, depth, place);
+  const Mask<T> scored = mask & !is_scored_by_facet(pairing);
+  if (any(scored)) meet_there(pairing, scored, met, depth, place, contribution);
 }
 
 template <class T>
 void Connections<T>::meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, const Met<T>& met,
                              const T& depth, const Index<T>& place) {
-  if (!sea_.surface.one_direction_each) return meet_under_waves(pairing, mask, met, depth, place);
-  meet_there(pairing, mask, met, depth, place);
+  const Ray &out = *met.out, &back = *met.back;
+  const Mask<T> emitting = mask & emits(back.line, place);
+  if (!any(emitting)) return;
+  const T of_vertex = contribution(
+      sea_, interaction_at<T>(sea_, back.line > Index<T>(0), back.line, place, out.direction),
+      -back.direction);
+  if (!sea_.surface.one_direction_each)
+    return meet_under_waves(pairing, emitting, met, depth, place, of_vertex);
+  meet_there(pairing, emitting, met, depth, place, of_vertex);
 }
 
 template <class T>
 void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mask,
-                                const Met<T>& met, const T& depth, const Index<T>& place) {
+                                const Met<T>& met, const T& depth, const Index<T>& place,
+                                const T& contribution) {
   const Ray &out = *met.out, &back = *met.back;
-  const Mask<T> emitting = mask & emits(back.line, place);
-  if (!any(emitting)) return;
   const auto in_path = usable(pairing.order());
   const Mask<T> is_first = pairing.i == Index<T>(0), is_last = pairing.m == Index<T>(0);
-  const auto at = meeting_point(met, is_first, is_last, depth, place);
+  const auto at = meeting_point(met, is_first, is_last, depth, place, density_of(contribution));
   const T last = select(is_last, depth, last_depth(pairing.back));
   const auto freedom = freedom_at(pairing, met, at, last, place);
   const Vec3<T> where = out.position + at.length_out * out.direction;
@@ -155,13 +158,13 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
     by_out = by_out * select(laser_side.straight, T(1), at.reach_out);
     by_back = by_back * select(side.straight, T(1), at.reach_back);
   }
-  const T met_next = goes_on * laser_side.meeting * by_out + side.meeting * by_back;
-  const T met_behind = at.reach_out * at.reach_back * (goes_on * laser_side.behind + side.behind);
-  const T value = out.weight * back.weight * at.coefficient * at.p * exp_minus(at.tau) /
-                  (here_met + connected + at.p * (met_next + met_behind));
+  const T next = goes_on * laser_side.meeting * by_out + side.meeting * by_back;
+  const T behind = at.reach_out * at.reach_back * (goes_on * laser_side.behind + side.behind);
+  const T value = balance(T(out.weight * back.weight * at.coefficient * contribution), at.tau,
+                          MeetingDensities<T>{at.p, here_met + connected, next, behind});
   if (world_.has_environments) [[unlikely]]
     complete_by_meeting(pairing, met, depth, place);
-  score(pairing, Technique::both, emitting & (at.path < receiver_.last_path),
+  score(pairing, Technique::both, mask & (at.path < receiver_.last_path),
         {met.gain * value, at.path, last, in_path.order, pairing.i, pairing.m, met.telescope,
          at.bed, met.free});
 }

@@ -323,10 +323,10 @@ void Connections<T>::rotate_pivot(const RayPairing<T>& pairing, const Rotation<T
   const Vec3<T> rotated = rotation.of_direction(pivot.leaving);
   const Mask<T> bed = pivot.phase < Index<T>(0);
   const Index<T> layer = select(bed, Index<T>(sea_.layers), Index<T>(0));
-  const T p = transport::scattered_density(sea_, layer, select(bed, Index<T>(0), pivot.phase),
-                                           pivot.arriving, rotated);
-  const T p_before = T(1) / pivot.per_p;
-  met.gain = pivot.per_p * p;
+  const T of_pivot = contribution(
+      sea_, Interaction<T>{layer, select(bed, Index<T>(0), pivot.phase), pivot.arriving}, rotated);
+  const T p = density_of(of_pivot), p_before = T(1) / pivot.per_p;
+  met.gain = pivot.per_p * of_pivot;
   if (any(receiver_.line > Index<T>(0))) return;
   const auto chance = [&](const Vec3<T>& direction, const T& value) {
     return world_.inverse_conversion.scattered_over_phase(sea_, layer, direction, value);

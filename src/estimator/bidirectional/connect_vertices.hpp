@@ -77,7 +77,7 @@ PHOTIC_APART void Connections<T>::score_by_facet(Pairing<T> pairing, const Verte
     complete_by_facet(pairing, v, way);
   const auto in_path = usable(pairing.i + Index<T>(1));
   score(pairing, Technique::laser, seen,
-        {from.weight * from.densities.p * way.acceptance * exp_minus(way.optical_depth) /
+        {from.weight * from.contribution * way.acceptance * exp_minus(way.optical_depth) /
              (samples_.to_instrument * from.chance),
          path, geometry::depth_of(v.position), in_path.order, in_path.order, Index<T>(0),
          seen_by(way.sight)});
@@ -143,8 +143,7 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
   const T telescope_area =
       elastic ? free_area(instrument(), footprint, line, v.layer, Mask<T>(true), -way.direction.z,
                           -v.direction,
-                          phase_value(sea_, v, way.direction,
-                                      gather_index<T>(sea_.elastic_phase, sea_.at(line, v.layer))))
+                          density_of(contribution(sea_, scattering_at(sea_, v), way.direction)))
               : free_area(instrument(), footprint, line, v.layer, Mask<T>(false), -way.direction.z,
                           -v.direction, T(1));
   const auto freedom = path_freedom(
@@ -160,10 +159,10 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
   const T area = samples_.to_instrument * from.chance * edge.area + from.meeting;
   if (world_.has_environments) [[unlikely]]
     complete_to_telescope(pairing, v, way, edge.in_water);
-  score(
-      pairing, Technique::laser, seen,
-      {from.weight * edge.weight * balance(area, tau.all, reach, from.densities, EndDensities<T>{}),
-       path, depth, in_path.order, in_path.order, Index<T>(0), edge.telescope});
+  score(pairing, Technique::laser, seen,
+        {from.weight * edge.weight *
+             balance(from.contribution, area, tau.all, reach, from.densities, EndDensities<T>{}),
+         path, depth, in_path.order, in_path.order, Index<T>(0), edge.telescope});
 }
 
 template <class T>
@@ -271,8 +270,7 @@ void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
   const T laser_area =
       free_area(of_laser, T(to_laser.freed * to_laser.area / abs(way.direction.z)), Index<T>(0),
                 w.layer, scatters, -way.direction.z, -w.direction,
-                phase_value(sea_, w, way.direction,
-                            gather_index<T>(sea_.elastic_phase, sea_.at(Index<T>(0), w.layer))));
+                density_of(contribution(sea_, scattering_at(sea_, w), way.direction)));
   const auto freedom = path_freedom(
       in_path.order, back_.birth_record(pairing.back).translation_area, last_depth(pairing.back),
       free_area(back_, instrument(), pairing.back), laser_area);
@@ -288,7 +286,8 @@ void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
     complete_to_laser(pairing, w, way, to_laser.in_water);
   score(pairing, Technique::telescope, lit,
         {to.weight * to_laser.weight *
-             balance(area, to_laser.tau, to_laser.reach, EndDensities<T>{}, to.densities),
+             balance(to.contribution, area, to_laser.tau, to_laser.reach, EndDensities<T>{},
+                     to.densities),
          path, last_depth(pairing.back), in_path.order, Index<T>(0), in_path.order,
          seen_by(pairing.back)});
 }
@@ -327,8 +326,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>&
     const auto of = [&](const Walks<T>& walks, std::int32_t instrument, const Index<T>& walk,
                         const Vertex& at, const Vec3<T>& leaving, const Mask<T>& scatters,
                         const Mask<T>& ends) {
-      const T p = phase_value(sea_, at, leaving,
-                              gather_index<T>(sea_.elastic_phase, sea_.at(at.line, at.layer)));
+      const T p = density_of(contribution(sea_, scattering_at(sea_, at), leaving));
       return select(ends,
                     free_area(instrument, walks.free_area(walk).level(), at.line, at.layer,
                               scatters, at.direction.z, leaving, p),
@@ -387,7 +385,8 @@ void Connections<T>::along(const Pairing<T>& pairing, const Mask<T>& mask, const
     complete_between(pairing, v, w, between);
   score(pairing, Technique::both, in_time,
         {from.weight * to.weight *
-             balance(area, tau.all, exp_minus(tau.walk), from.densities, to.densities),
+             balance(T(from.contribution * to.contribution), area, tau.all, exp_minus(tau.walk),
+                     from.densities, to.densities),
          path, last_depth(pairing.back), usable.order, edge, pairing.m + Index<T>(1),
          seen_by(pairing.back)});
 }

@@ -7,6 +7,7 @@
 
 #include "estimator/bidirectional/depart.hpp"
 #include "estimator/bidirectional/vertex.hpp"
+#include "estimator/contribution.hpp"
 #include "transport/scatter.hpp"
 
 namespace photic::estimator {
@@ -14,10 +15,11 @@ namespace photic::estimator {
 template <class T>
 struct ConnectionEnd {
   EndDensities<T> densities;
-  T weight{};    ///< of the walk, this collision included
-  T chance{1};   ///< h of connecting this edge, of choices on this side
-  T goes_on{1};  ///< h of strategies on the laser's side: the telescope's walk goes on beyond
-  T meeting{};   ///< density of meeting at this end, but for what the other end adds
+  T contribution{1};  ///< of this vertex [1/sr]
+  T weight{};         ///< of the walk, this collision included
+  T chance{1};        ///< h of connecting this edge, of choices on this side
+  T goes_on{1};       ///< h of strategies on the laser's side: the telescope's walk goes on beyond
+  T meeting{};        ///< density of meeting at this end, but for what the other end adds
 };
 
 /// The freedom of a path's walks to be moved as wholes to meet at one of its vertices.
@@ -35,10 +37,19 @@ struct Freedom {
   }
 };
 
+/// A vertex of a walk where light of the walk's line is scattered.
 template <class T>
-T phase_value(const geometry::Slabs& sea, const Vertex<T>& v, const Vec3<T>& direction,
-              const Index<T>& phase) {
-  return transport::scattered_density(sea, v.layer, phase, v.direction, direction);
+Interaction<T> scattering_at(const geometry::Slabs& sea, const Vertex<T>& v) {
+  return scattering_at<T>(sea, v.line, v.layer, v.direction);
+}
+
+/// An end of a contribution, with the density of that; the rest is still to be set.
+template <class T>
+ConnectionEnd<T> end_with(const T& contribution) {
+  ConnectionEnd<T> end;
+  end.contribution = contribution;
+  end.densities.p = density_of(contribution);
+  return end;
 }
 
 /// The laser's walk, scattered into a direction of the laser's light. `goes_on`: of the other end;
@@ -48,9 +59,7 @@ ConnectionEnd<T> scattering_from_laser(const geometry::Slabs& sea, const Vertex<
                                        const T& behind, const Vec3<T>& direction,
                                        const estimator::InverseConversion<T>& inverse_conversion,
                                        const T& goes_on, const Freedom<T>& freedom) {
-  const Index<T> here = sea.at(v.line, v.layer);
-  ConnectionEnd<T> end;
-  end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
+  ConnectionEnd<T> end = end_with(contribution(sea, scattering_at(sea, v), direction));
   end.densities.arriving_edge = goes_on * arriving_edge(sea, v, end.densities.p);
   end.densities.behind =
       goes_on *
@@ -71,8 +80,8 @@ ConnectionEnd<T> conversion_from_laser(const geometry::Slabs& sea, const Vertex<
                                        const Index<T>& before, const T& chance, const T& goes_on,
                                        const Freedom<T>& freedom) {
   const T ratio = walk_c_ratio<T>(sea, line, v.layer);
-  ConnectionEnd<T> end;
-  end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.conversion_phase, line));
+  ConnectionEnd<T> end =
+      end_with(contribution(sea, conversion_at<T>(sea, line, v.layer, v.direction), direction));
   end.densities.arriving_edge = goes_on * arriving_edge(sea, v, end.densities.p);
   end.densities.behind = goes_on * inverse_conversion.chance(sea, line, v.layer, before) *
                          inverse_conversion.over_phase(sea, -v.direction, end.densities.p) * behind;
@@ -90,13 +99,10 @@ ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>&
                                     const Vec3<T>& direction,
                                     const estimator::InverseConversion<T>& inverse_conversion,
                                     const Index<T>& before, const Freedom<T>& freedom) {
-  const Index<T> here = sea.at(v.line, v.layer);
   const Mask<T> converts = v.line > Index<T>(0);
   const T ratio = walk_c_ratio<T>(sea, v.line, v.layer);  // 1 for the laser's line
-  ConnectionEnd<T> end;
-  end.densities.p = phase_value(sea, v, direction,
-                                select(converts, gather_index<T>(sea.conversion_phase, v.line),
-                                       gather_index<T>(sea.elastic_phase, here)));
+  ConnectionEnd<T> end = end_with(
+      contribution(sea, interaction_at<T>(sea, converts, v.line, v.layer, v.direction), direction));
   end.densities.arriving_edge = ratio * arriving_edge(sea, v, end.densities.p);
   end.densities.behind = behind;  // 0 before a conversion
   end.meeting = freedom.meeting(v, direction, converts);
@@ -113,9 +119,7 @@ ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>&
 template <class T>
 ConnectionEnd<T> scattering_of_converted(const geometry::Slabs& sea, const Vertex<T>& v,
                                          const Vec3<T>& direction) {
-  const Index<T> here = sea.at(v.line, v.layer);
-  ConnectionEnd<T> end;
-  end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
+  ConnectionEnd<T> end = end_with(contribution(sea, scattering_at(sea, v), direction));
   end.weight = v.weight * transport::scattered_share(sea, v.line, v.layer, direction.z);
   return end;
 }

@@ -162,16 +162,16 @@ class Connections {
                            NearFirst<T>& near, FreeArea<T>& free);
   [[nodiscard]] MeetingPoint<T> meeting_point(const Met<T>& met, const Mask<T>& first,
                                               const Mask<T>& last, const T& depth,
-                                              const Index<T>& place) const;
+                                              const Index<T>& place, const T& p) const;
   [[nodiscard]] PathFreedom<T> freedom_at(const RayPairing<T>& pairing, const Met<T>& met,
                                           const MeetingPoint<T>& at, const T& last,
                                           const Index<T>& place) const;
   void meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, const Met<T>& met, const T& depth,
                const Index<T>& place);
   void meet_under_waves(const RayPairing<T>& pairing, const Mask<T>& mask, Met<T> met,
-                        const T& depth, const Index<T>& place);
+                        const T& depth, const Index<T>& place, const T& contribution);
   void meet_there(const RayPairing<T>& pairing, const Mask<T>& mask, const Met<T>& met,
-                  const T& depth, const Index<T>& place);
+                  const T& depth, const Index<T>& place, const T& contribution);
 
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
     return {order, world_.max_vertices};

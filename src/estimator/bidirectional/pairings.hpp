@@ -146,7 +146,7 @@ struct MeetingPoint {
   T reach_out{}, reach_back{};    ///< chances that walks would come along them
   Mask<T> converts{}, bed{};
   T coefficient{};  ///< of the event of light there, over c'
-  T p{};            ///< its phase function's value [1/sr]
+  T p{};            ///< density of the direction in which light leaves [1/sr]
   T path{};         ///< group path of both walks [m]
 };
 

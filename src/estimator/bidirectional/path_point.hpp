@@ -42,7 +42,7 @@ struct Ray : WalkPoint<T> {
   T vertex_chance{1};   ///< of this walk up to the vertex, whose choice does not count
   T chance{1};          ///< of this walk up to this ray
   T reverse_chance{1};  ///< of a telescope's walk that comes through a laser's walk the other way
-  T per_p{1};           ///< 1 over the phase function's value at the vertex [sr]
+  T per_p{1};           ///< 1 over the density at the vertex, the phase function [sr]
   // Densities over reverse_chance:
   T last_edge{};          ///< of connecting the edge that came to the vertex
   Densities<T> behind{};  ///< of all strategies behind this ray

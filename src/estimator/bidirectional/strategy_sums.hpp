@@ -25,10 +25,10 @@
 //   translated:  1 / g = A |cos cos'| exp(tau + tau') / (c' P_i)    per metre of depth
 //   rotated:     1 / g = 2 pi S exp(tau + tau') / (c' P_i)
 //   on the bed:  1 / g = A l pi exp(tau + tau')    translated, l = MeetingGrid::below_bed()
-// P_i is the phase function at x_i, on the bed |cos| / pi of the connected edge itself. c' is the
-// coefficient that free paths are drawn from, tau the optical depth of an edge by c'. cos, cos',
-// tau, tau' are those of both edges at x_i. A is the translation_area of the telescope, S the
-// RotationJacobian of both directions.
+// P_i is the density of the direction in which x_i is left, the phase function; on the bed |cos| /
+// pi of the connected edge itself. c' is the coefficient that free paths are drawn from, tau the
+// optical depth of an edge by c'. cos, cos', tau, tau' are those of both edges at x_i. A is the
+// translation_area of the telescope, S the RotationJacobian of both directions.
 //
 // Vertices carry the sums of these densities over all that lies behind them on their walk. So a
 // connection knows the densities of all strategies at once, however long its walks are.
@@ -92,22 +92,38 @@ struct Densities {
 /// The input of balance() from one end of a connection.
 template <class T>
 struct EndDensities {
-  T p{1};             ///< phase function there [1/sr]
+  T p{1};             ///< of the edge's direction there, as walks draw it [1/sr]
   T arriving_edge{};  ///< density of connecting the last edge before this end, times p
   T behind{};         ///< sum of the densities of all strategies behind it
 };
 
 /// A connection's score by the balance heuristic, over the weights of its ends: the edge's
-/// exp(-tau) over the sum of the densities of all strategies that can be used for its path (eq.
-/// 42). `reach`: chance that a walk would come along the edge. `area`: density of connecting this
-/// edge, and of meeting at its ends, times both phase functions and `reach`.
+/// exp(-tau) and the `contribution` of its ends over the sum of the densities of all strategies
+/// that can be used for its path (eq. 42). `reach`: chance that a walk would come along the edge.
+/// `area`: density of connecting this edge, and of meeting at its ends, times both p and `reach`.
 template <class T>
-T balance(const T& area, const T& tau, const T& reach, const EndDensities<T>& a,
-          const EndDensities<T>& b) {
+T balance(const T& contribution, const T& area, const T& tau, const T& reach,
+          const EndDensities<T>& a, const EndDensities<T>& b) {
   const T both = a.p * b.p;
-  return both * exp_minus(tau) /
+  return contribution * exp_minus(tau) /
          (area +
           reach * (a.arriving_edge * b.p + b.arriving_edge * a.p + (a.behind + b.behind) * both));
+}
+
+/// The input of balance() from the vertex where two rays meet.
+template <class T>
+struct MeetingDensities {
+  T p{1};      ///< of the direction in which light leaves, as walks draw it [1/sr]
+  T here{};    ///< density of meeting here, and of connecting either ray's edge, times p
+  T next{};    ///< of meeting where either ray begins
+  T behind{};  ///< sum of the densities of all strategies behind the rays
+};
+
+/// The score of rays that meet: the `contribution` of the whole path, weights of both walks
+/// included, and the exp(-tau) of both rays over the same sum.
+template <class T>
+T balance(const T& contribution, const T& tau, const MeetingDensities<T>& at) {
+  return contribution * exp_minus(tau) / (at.here + at.p * (at.next + at.behind));
 }
 
 }  // namespace photic::estimator

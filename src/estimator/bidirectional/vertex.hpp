@@ -40,7 +40,7 @@ RotatedMeeting<T> rotation_at(const Vertex<T>& v, const Vec3<T>& direction) {
 /// The departure of a walk from a vertex.
 template <class T>
 struct Departure {
-  T p{1};               ///< phase function's value [1/sr]
+  T p{1};               ///< density of the direction, the phase function's value [1/sr]
   T chance{1};          ///< h of its choices: of what the phase function does not draw
   T reverse_chance{1};  ///< the same of a telescope's walk through this vertex of a laser's walk
   T c_ratio{

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "estimator/contribution.hpp"
 #include "estimator/forward/forward_tracks.hpp"
 #include "estimator/variations/environments.hpp"
 #include "estimator/world.hpp"
@@ -206,8 +207,10 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
   const auto score = [&](const auto& way, const instrument::Sight<T>& sight) {
     const Mask<T> seen = mask & (way.acceptance > T(0));
     if (!any(seen)) return;
-    const T p = scattered_density(world.sea, photon.layer, phase, photon.direction, way.direction);
-    const T value = photon.weight * share * p * way.acceptance * exp_minus(way.optical_depth);
+    const T of_vertex = contribution(
+        world.sea, Interaction<T>{photon.layer, phase, photon.direction}, way.direction);
+    const T value =
+        photon.weight * share * of_vertex * way.acceptance * exp_minus(way.optical_depth);
     auto& queue = estimates.scores[g];
     Index<T> telescope(static_cast<std::int32_t>(group.number));
     if (queue.nested()) telescope = group.narrowest(sight);

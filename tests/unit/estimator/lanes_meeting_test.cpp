@@ -180,8 +180,9 @@ TEST(LanesOf, Joints) {
     const auto arrived4 = estimator::arrival_from_laser(
         view, vertex4, pack(behind), pack(direction), reversal4, pack(before), freedom4);
     const auto last4 = estimator::scattering_of_converted(view, vertex4, pack(direction));
-    const auto balance4 = estimator::balance(pack(area), pack(tau), pack(walk_tau),
-                                             scattered4.densities, arrived4.densities);
+    const auto balance4 =
+        estimator::balance(scattered4.contribution, pack(area), pack(tau), pack(walk_tau),
+                           scattered4.densities, arrived4.densities);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& v = vertex[i];
       const auto scattered = estimator::scattering_from_laser(
@@ -195,10 +196,10 @@ TEST(LanesOf, Joints) {
                                                           goes_on[i], freedom[i]));
       expect_same_fields(arrived4, i, arrived);
       expect_same_fields(last4, i, estimator::scattering_of_converted(view, v, direction[i]));
-      expect_same(
-          balance4[i],
-          estimator::balance(area[i], tau[i], walk_tau[i], scattered.densities, arrived.densities),
-          "balance");
+      expect_same(balance4[i],
+                  estimator::balance(scattered.contribution, area[i], tau[i], walk_tau[i],
+                                     scattered.densities, arrived.densities),
+                  "balance");
     }
   }
 }

@@ -163,6 +163,7 @@ template <class P, class S, class F>
   requires is_packed<P, estimator::ConnectionEnd>
 void fields(P& a, S& b, F f) {
   fields(a.densities, b.densities, f);
+  f(a.contribution, b.contribution, "contribution");
   f(a.weight, b.weight, "weight");
   f(a.chance, b.chance, "chance");
   f(a.goes_on, b.goes_on, "goes on");
