@@ -33,6 +33,10 @@ surface::WavesView waves_of(double upwind_deviation, double crosswind_deviation,
   w.upwind_y = std::sin(from_degrees * radian_per_degree);
   return w;
 }
+void rough(medium::MediumView& sea, const surface::WavesView& waves) {
+  sea.surface = {.one_direction_each = false, .leads_anywhere = !waves.one_dimensional};
+  sea.waves = waves;
+}
 scene::Telescope telescope_at(const Vec3<double>& position, double dz, double radius) {
   scene::Telescope t;
   t.position_m = position;
@@ -65,7 +69,7 @@ TEST(WaysByWaves, OfOneDirectionBringWhatFacetsSend) {
   const Sea sea = water();
   for (const auto& waves : {waves_of(0.2, 0), waves_of(0, 0.2, -90)}) {
     auto slabs = sea.view();
-    slabs.waves = waves;
+    rough(slabs, waves);
     const auto mean = share_received(slabs, telescope_at({0, 0, 12}, -1, 1.5), {true, 0},
                                      photon_at(sea, {0.3, -0.4, -6}), 400'000);
     EXPECT_NEAR(mean.value(), 1.11928e-3, 4 * mean.error() + 1.4e-7 * 4);
@@ -77,7 +81,7 @@ TEST(WaysByWaves, OfOneDirectionBringWhatFacetsSend) {
 TEST(WaysByWaves, ReflectedBringWhatFacetsSend) {
   const Sea sea = water();
   auto slabs = sea.view();
-  slabs.waves = waves_of(0.18, 0.12);
+  rough(slabs, waves_of(0.18, 0.12));
   const auto mean = share_received(slabs, telescope_at({3, 0, -5}, 1, 1),
                                    region_at(sea, {3, 0, -5}), photon_at(sea, {0, 0, -6}), 400'000);
   EXPECT_NEAR(mean.value(), 3.8476e-5, 4 * mean.error() + 4 * 4e-9);
@@ -100,7 +104,7 @@ TEST(WaysByWaves, OfAlmostFlatWavesAreThoseOfTheFlatSurface) {
   }
   for (const auto& waves : {waves_of(2e-3, 2e-3), waves_of(2e-3, 0), waves_of(3e-3, 1e-3, 40)}) {
     auto slabs = sea.view();
-    slabs.waves = waves;
+    rough(slabs, waves);
     const auto mean = share_received(slabs, t, {true, 0}, photon, 100'000);
     EXPECT_NEAR(mean.value(), flat.value(),
                 4 * std::hypot(mean.error(), flat.error()) + 2e-5 * flat.value());
@@ -145,7 +149,7 @@ TEST(LanesOf, WaysByWaves) {
     if (random.chance(0.5)) {
       const auto fraction = slabs.waves.whitecap_fraction;
       const auto reflectance = slabs.waves.whitecap_reflectance;
-      slabs.waves = waves_of(0.2, 0, random.between(0, 360));
+      rough(slabs, waves_of(0.2, 0, random.between(0, 360)));
       if (random.chance(0.5)) {
         slabs.waves.whitecap_fraction = fraction;
         slabs.waves.whitecap_reflectance = reflectance;
