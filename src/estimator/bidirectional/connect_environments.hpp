@@ -104,7 +104,7 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPairing<T>& pairi
   if (is_aslant(telescope_)) {
     const Index<T>& at = receiver_.region.layer;
     const auto level = sea_.level(at, T(0));
-    completion_.pass(sea_, {met.line, level, level, met.longer});
+    completion_.pass(sea_, {back_.line(pairing.back), level, level, met.longer});
   }
   completion_.collide(sea_, {out.line, layer, back.line > Index<T>(0), back.line,
                              one_minus_cos(out.direction, -back.direction), T(-out.direction.z)});

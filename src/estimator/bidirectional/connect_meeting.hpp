@@ -162,11 +162,10 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
   const T behind = at.reach_out * at.reach_back * (goes_on * laser_side.behind + side.behind);
   const T value = balance(T(out.weight * back.weight * at.coefficient * contribution), at.tau,
                           MeetingDensities<T>{at.p, here_met + connected, next, behind});
-  if (world_.has_environments) [[unlikely]]
-    complete_by_meeting(pairing, met, depth, place);
   score(pairing, Technique::both, mask & (at.path < receiver_.last_path),
         {met.gain * value, at.path, last, in_path.order, pairing.i, pairing.m, met.telescope,
-         at.bed, met.free});
+         at.bed, met.free},
+        [&] { complete_by_meeting(pairing, met, depth, place); });
 }
 
 }  // namespace photic::estimator

@@ -180,7 +180,6 @@ Met<T> Connections<T>::met(const RayPair<T>& pair) const {
   }
   met.translation_area = pair.birth.translation_area;
   met.axis = met.own_axis = pair.axis();
-  if (world_.has_environments) met.line = back_.line(pair.pairing.back);
   met.telescope = seen_by(pair.pairing.back);
   if (!sea_.surface.one_direction_each) {
     met.lens = pair.birth.lens;

@@ -73,14 +73,13 @@ PHOTIC_APART void Connections<T>::score_by_facet(Pairing<T> pairing, const Verte
                                   none)
           : conversion_from_laser(sea_, v, T(0), way.direction, line, world_.inverse_conversion,
                                   Index<T>(0), T(1), T(1), none);
-  if (world_.has_environments) [[unlikely]]
-    complete_by_facet(pairing, v, way);
   const auto in_path = usable(pairing.i + Index<T>(1));
   score(pairing, Technique::laser, seen,
         {from.weight * from.contribution * way.acceptance * exp_minus(way.optical_depth) /
              (samples_.to_instrument * from.chance),
          path, geometry::depth_of(v.position), in_path.order, in_path.order, Index<T>(0),
-         seen_by(way.sight)});
+         seen_by(way.sight)},
+        [&] { complete_by_facet(pairing, v, way); });
 }
 
 /// Along a way to a point of the lens.
@@ -157,12 +156,11 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
               : conversion_from_laser(sea_, v, behind, way.direction, line,
                                       world_.inverse_conversion, Index<T>(0), T(1), T(1), here);
   const T area = samples_.to_instrument * from.chance * edge.area + from.meeting;
-  if (world_.has_environments) [[unlikely]]
-    complete_to_telescope(pairing, v, way, edge.in_water);
   score(pairing, Technique::laser, seen,
         {from.weight * edge.weight *
              balance(from.contribution, area, tau.all, reach, from.densities, EndDensities<T>{}),
-         path, depth, in_path.order, in_path.order, Index<T>(0), edge.telescope});
+         path, depth, in_path.order, in_path.order, Index<T>(0), edge.telescope},
+        [&] { complete_to_telescope(pairing, v, way, edge.in_water); });
 }
 
 template <class T>
@@ -282,14 +280,13 @@ void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
   const ConnectionEnd to = arrival_from_laser(sea_, w, behind, way.direction,
                                               world_.inverse_conversion, pairing.m, here);
   const T area = samples_.to_instrument * to.chance * to_laser.area + to.meeting;
-  if (world_.has_environments) [[unlikely]]
-    complete_to_laser(pairing, w, way, to_laser.in_water);
   score(pairing, Technique::telescope, lit,
         {to.weight * to_laser.weight *
              balance(to.contribution, area, to_laser.tau, to_laser.reach, EndDensities<T>{},
                      to.densities),
          path, last_depth(pairing.back), in_path.order, Index<T>(0), in_path.order,
-         seen_by(pairing.back)});
+         seen_by(pairing.back)},
+        [&] { complete_to_laser(pairing, w, way, to_laser.in_water); });
 }
 
 template <class T>
@@ -381,14 +378,13 @@ void Connections<T>::along(const Pairing<T>& pairing, const Mask<T>& mask, const
   const T meeting = select(usable.meeting(edge), from.meeting * to.densities.p, T(0)) +
                     select(usable.meeting(edge + Index<T>(1)), to.meeting * from.densities.p, T(0));
   const T area = samples_.between * from.chance * to.chance * length * length + meeting;
-  if (world_.has_environments) [[unlikely]]
-    complete_between(pairing, v, w, between);
   score(pairing, Technique::both, in_time,
         {from.weight * to.weight *
              balance(T(from.contribution * to.contribution), area, tau.all, exp_minus(tau.walk),
                      from.densities, to.densities),
          path, last_depth(pairing.back), usable.order, edge, pairing.m + Index<T>(1),
-         seen_by(pairing.back)});
+         seen_by(pairing.back)},
+        [&] { complete_between(pairing, v, w, between); });
 }
 
 }  // namespace photic::estimator

@@ -326,10 +326,14 @@ class Connections {
   void score_in_environments(Pairing<T> pairing, Technique technique, Mask<T> mask,
                              FoundPath<T> path);
 
+  /// complete() completes the path in environments.
+  template <class Complete>
   void score(const Pairing<T>& pairing, Technique technique, const Mask<T>& mask,
-             const FoundPath<T>& path) {
-    if (world_.has_environments) [[unlikely]]
+             const FoundPath<T>& path, Complete complete) {
+    if (world_.has_environments) [[unlikely]] {
+      complete();
       return score_in_environments(pairing, technique, mask, path);
+    }
     scores_.push(mask, scores_of(pairing, technique, path), tally_);
   }
   [[nodiscard]] lanes::LaneScores<T> scores_of(const Pairing<T>& pairing, Technique technique,

@@ -131,7 +131,6 @@ struct Met {
   bool rotates_anew = false;  ///< it may be rotated otherwise than it was drawn
   T gain{1};                  ///< of the sample
   T longer{};                 ///< so much longer is the way from a tilted lens [m]
-  Index<T> line{};            ///< of the light that comes back
   Index<T> telescope{};       ///< the one that sees it
   // Under waves alone, and else not set, which takes time:
   instrument::PlanePoint<T> lens;   ///< the telescope's walk's point there now

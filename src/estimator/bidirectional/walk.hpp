@@ -11,8 +11,8 @@
 #include "estimator/bidirectional/first_vertex.hpp"
 #include "estimator/bidirectional/meet.hpp"
 #include "estimator/bidirectional/vertex.hpp"
+#include "estimator/bidirectional/walk_ratios.hpp"
 #include "estimator/bidirectional/walk_records.hpp"
-#include "estimator/variations/environments.hpp"
 #include "estimator/world.hpp"
 #include "lanes/records.hpp"
 #include "transport/touched.hpp"
@@ -46,9 +46,8 @@ class Walks {
         own_(walks),
         telescope_(walks),
         line_(walks),
-        first_on_bed_(sea.bed_angles > 0 ? walks : 0),
-        ratios_(sea.environments, walks * stride),
-        at_surface_(sea.environments, sea.other_entry() ? walks * stride : 0) {
+        first_on_bed_(sea.bed_angles > 0 ? walks : 0) {
+    if (sea.environments.count > 0) ratios_.emplace(sea, walks * stride);
     if (!sea.surface.one_direction_each)
       facets_.emplace(walks, walks * stride, from_telescope && facets_have_sides_);
   }
@@ -123,12 +122,8 @@ class Walks {
     return pivots;
   }
 
-  /// The ratios of the weights with which walks leave by their rays, in environments: beyond the
-  /// second ray without the part before it, which a free walk has anew.
-  [[nodiscard]] PathRatios<T>& ratios() { return ratios_; }
-  /// The ratios by the surface on the walks' ways from vertices, or the instrument, to the next;
-  /// and the air between the instrument and the surface.
-  [[nodiscard]] PathRatios<T>& at_surface() { return at_surface_; }
+  /// The walks' weights in environments; none without these.
+  [[nodiscard]] WalkRatios<T>* ratios() { return ratios_ ? &*ratios_ : nullptr; }
   /// Product and depth of a walk up to where ray m leaves a vertex, or comes into the water, for
   /// environments from `first` on; `whole_leg`: and of what the surface does to it from there on.
   [[nodiscard]] std::array<T, 2> ratio(const medium::MediumView& sea, std::int32_t walk,
@@ -137,7 +132,7 @@ class Walks {
     const auto slot = [&](std::int32_t ray) {
       return static_cast<std::size_t>(walk) * stride + static_cast<std::size_t>(ray);
     };
-    const auto of_ray = [&](std::int32_t ray) { return ratios_.at(slot(ray), first); };
+    const auto of_ray = [&](std::int32_t ray) { return ratios_->at(slot(ray), first); };
     const auto of_walk = [&] {
       if (m < 2) return of_ray(is_free ? 0 : m);
       if (is_free) return of_ray(m);
@@ -145,7 +140,7 @@ class Walks {
     };
     const bool meets = sea.other_entry() && (m == 0 ? !is_free : whole_leg);
     if (!meets) return of_walk();
-    return joined(sea.environments, first, of_walk(), at_surface_.at(slot(m), first));
+    return joined(sea.environments, first, of_walk(), ratios_->at_surface(slot(m), first));
   }
   /// The slot of ray or vertex i of a walk.
   static Index<T> slot(const Index<T>& walk, const Index<T>& i) {
@@ -153,7 +148,7 @@ class Walks {
   }
   /// So many bytes does a walk take in environments.
   static std::size_t size(const medium::MediumView& sea) {
-    return (sea.other_entry() ? 2 : 1) * stride * PathRatios<T>::size(sea.environments);
+    return stride * WalkRatios<T>::size(sea);
   }
 
   [[nodiscard]] bool from_telescope() const { return from_telescope_; }
@@ -393,8 +388,7 @@ class Walks {
   std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_, telescope_,
       line_;                                ///< of each walk
   std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many
-  PathRatios<T> ratios_;                    ///< of each ray
-  PathRatios<T> at_surface_;                ///< of each vertex, if surfaces differ
+  std::optional<WalkRatios<T>> ratios_;
 };
 
 }  // namespace photic::estimator

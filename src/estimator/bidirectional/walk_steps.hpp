@@ -7,7 +7,6 @@
 
 #include "core/flatten.hpp"
 #include "estimator/bidirectional/depart.hpp"
-#include "estimator/bidirectional/leg_terms.hpp"
 #include "estimator/bidirectional/surface_entry.hpp"
 #include "estimator/bidirectional/walk.hpp"
 #include "estimator/crossing.hpp"
@@ -35,20 +34,6 @@ struct WalkTrack : Track<T> {
   RotationAxis<T> axis;  ///< of a telescope's walk that has its pivot behind it
   FirstVertex<T> first;  ///< as far as it is known
 };
-
-/// Walks of a mask have met the surface on their way to vertex i: what is kept of it.
-template <class T>
-PHOTIC_APART PHOTIC_FLATTEN void meet_surface(const geometry::Slabs& sea, Walks<T>& walks,
-                                              Index<T> walk, Index<T> i,
-                                              surface::FacetHit<T> meeting, Mask<T> mask) {
-  OtherSurfaces<T> met;
-  met.meet(sea, meeting);
-  const auto slots = each_lane(Walks<T>::slot(walk, i));
-  for_each_lane(mask, [&](int lane) {
-    const auto k = static_cast<std::size_t>(lane);
-    walks.at_surface().of(static_cast<std::size_t>(slots[k])).meet(sea, met, k);
-  });
-}
 
 /// The steps of walks from one instrument. A Source has their beginning and their draws, and
 /// decides whether light from a photon's place can still count; its ledger takes the weight that
@@ -195,8 +180,8 @@ class WalkSteps {
     const auto draw = [&](std::uint32_t block) { return source.draw(w.walk, w.event, block); };
     const auto surface = surface::rough_surface<T>(sea, w.photon.line);
     const auto met = [&](const Mask<T>& mask, const surface::FacetHit<T>& meeting) {
-      if (sea.surface.differs_in_environments)
-        meet_surface(sea, walks, w.walk, w.vertices, meeting, mask);
+      if (auto* ratios = walks.ratios())
+        ratios->met(sea, meeting, Walks<T>::slot(w.walk, w.vertices), mask);
     };
     const auto by = walk_by_facets(back, surface, w.photon, stand, false, Facets::any, draw, met);
     // A walk's weight is what light is worth that comes the path, but for its chances.
@@ -250,41 +235,11 @@ class WalkSteps {
                                           vertex_, ray, world_.uses.rotated_scattered);
       w.axis = select(pivots, {Mask<T>(true), vertex_.position.x, vertex_.position.y}, w.axis);
     }
-    if (world_.has_environments) [[unlikely]]
-      keep_ratios(sea_, walks_, w, vertex_, ray, colliding);
+    if (auto* ratios = walks_.ratios()) [[unlikely]]
+      ratios->collided(sea_, WalkPoint<T>(w.ray), vertex_, ray, walks_.from_telescope(),
+                       Walks<T>::slot(w.walk, w.vertices), w.vertices, colliding);
     lanes::assign<T>(colliding, ray, w.ray);
     w.leg = select(colliding, Leg<T>{}, w.leg);
-  }
-
-  /// In environments, from those of the ray before. Static, and with copies: what has its address
-  /// taken is kept in memory.
-  PHOTIC_APART static void keep_ratios(const geometry::Slabs& sea, Walks<T>& walks,
-                                       const WalkTrack<T>& w, Vertex<T> vertex, Ray<T> ray,
-                                       Mask<T> mask) {
-    Terms<T> way, collision;
-    add_leg(sea, w.ray, vertex, way);
-    add_encounter(sea,
-                  {vertex.line, vertex.layer, Mask<T>(!(vertex.line == ray.line)), vertex.line,
-                   one_minus_cos(vertex.direction, ray.direction),
-                   walks.from_telescope() ? ray.direction.z : T(-vertex.direction.z)},
-                  collision);
-    const auto next = each_lane(Walks<T>::slot(w.walk, w.vertices));
-    const auto vertices = each_lane(w.vertices);
-    for_each_lane(mask, [&](int lane) {
-      const auto k = static_cast<std::size_t>(lane);
-      const auto slot = static_cast<std::size_t>(next[k]);
-      if (vertices[k] == 2) {
-        walks.ratios().of(slot).begin(sea.environments);
-      } else {
-        walks.ratios().copy(sea.environments, slot - 1, slot);
-      }
-      const auto ratios = walks.ratios().of(slot);
-      ratios.pass(sea.environments, way, k);
-      ratios.collide(sea.environments, collision, k);
-      if (!sea.other_entry()) return;
-      ratios.join(sea.environments, walks.at_surface().of(slot - 1));
-      walks.at_surface().of(slot).begin(sea.environments);
-    });
   }
 
   const World<T>& world_;

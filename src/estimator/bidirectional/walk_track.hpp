@@ -48,18 +48,22 @@ class WalkTracer {
     // Lanes without a walk draw the numbers of another: beyond the batch there are none.
     track.walk = select(exist, Index<T>(first) + lane_numbers<T>(), Index<T>(first));
     BirthRecord<T> record;
-    if (world_.has_environments) [[unlikely]]
-      begin_ratios(track.walk, exist);
+    WalkRatios<T>* const ratios = walks_.ratios();
+    const Index<T> slot = Walks<T>::slot(track.walk, Index<T>(0));
+    const auto& sea = world_.sea;
+    if (ratios) ratios->begin(sea, slot, exist);
     const auto met = [&](const Mask<T>& mask, const surface::FacetHit<T>& meeting) {
-      if (world_.sea.surface.differs_in_environments)
-        meet_surface(world_.sea, walks_, track.walk, Index<T>(0), meeting, Mask<T>(mask & exist));
+      if (ratios) ratios->met(sea, meeting, slot, Mask<T>(mask & exist));
     };
     const auto flown = [&](const Mask<T>& mask, const geometry::Segment<T>& way) {
-      if (world_.has_environments) pass_ratios(track.walk, Mask<T>(mask & exist), way);
+      if (ratios) ratios->flown(sea, way, slot, Mask<T>(mask & exist));
     };
     const auto birth = source_.birth(track.walk, exist, record, met, flown);
-    if (world_.has_environments) [[unlikely]]
-      come_down_ratios(track.walk, exist, birth);
+    if (ratios)
+      ratios->came_down(
+          sea, world_.region(source_.instrument()), birth.photon.line,
+          walks_.has_facets() ? T(T(0) - birth.entry.outside.z) : birth.spread.cos_air, slot,
+          exist);
     const Mask<T> born = exist & birth.exists;
     track.photon = birth.photon;
     record.spread = birth.spread;
@@ -93,37 +97,6 @@ class WalkTracer {
     return mask;
   }
 
-  PHOTIC_APART void begin_ratios(Index<T> walk, const Mask<T>& mask) {
-    const auto first = each_lane(Walks<T>::slot(walk, Index<T>(0)));
-    for_each_lane(mask, [&](int lane) {
-      const auto slot = static_cast<std::size_t>(first[static_cast<std::size_t>(lane)]);
-      walks_.ratios().of(slot).begin(world_.sea.environments);
-      if (world_.sea.other_entry()) walks_.at_surface().of(slot).begin(world_.sea.environments);
-    });
-  }
-  /// Notes that walks of a mask have gone a way before their first ray begins.
-  PHOTIC_APART void pass_ratios(Index<T> walk, const Mask<T>& mask, geometry::Segment<T> way) {
-    Terms<T> ways;
-    add_segment(world_.sea, way, ways);
-    pass_ratios(walks_.ratios(), walk, mask, ways);
-  }
-  /// Notes that walks of a mask have come from their instrument to the surface.
-  PHOTIC_APART void come_down_ratios(Index<T> walk, const Mask<T>& mask, const Birth<T>& birth) {
-    const auto& region = world_.region(source_.instrument());
-    if (!region.in_air || !world_.sea.environments.other_air) return;
-    Terms<T> ways;
-    add_air(region, birth.photon.line,
-            walks_.has_facets() ? T(T(0) - birth.entry.outside.z) : birth.spread.cos_air, ways);
-    pass_ratios(walks_.at_surface(), walk, mask, ways);
-  }
-  void pass_ratios(PathRatios<T>& ratios, const Index<T>& walk, const Mask<T>& mask,
-                   const Terms<T>& ways) {
-    const auto first = each_lane(Walks<T>::slot(walk, Index<T>(0)));
-    for_each_lane(mask, [&](int lane) {
-      const auto k = static_cast<std::size_t>(lane);
-      ratios.of(static_cast<std::size_t>(first[k])).pass(world_.sea.environments, ways, k);
-    });
-  }
   const World<T>& world_;
   const Samples<T>& samples_;
   Source& source_;

@@ -32,18 +32,16 @@ void score_from_surface(const World<T>& world, const ForwardTracks<T>& t, const 
                                     T(0),
                                     photon.path + way.path,
                                     photon.weight * way.acceptance * exp_minus(way.optical_depth)};
-  if (!has_environments<Events>(world))
-    return estimates.scores[&group - world.groups.data()].push(seen, scores, tally);
-  estimates.paths = t.ratios.paths;
-  estimates.first = t.ratios.first;
-  estimates.completion.clear();
-  if (world.sea.surface.differs_in_environments)
-    estimates.completion.surface.meet(world.sea, way.meeting);
-  if (group.region.in_air)
-    add_air(group.region, photon.line, way.direction.z, estimates.completion.ways);
-  else
-    add_segment(world.sea, way.in_water, estimates.completion.ways);
-  score_completed(world, seen, scores, estimates, tally);
+  estimates.begin(t.ratios);
+  const auto complete = [&](Completion<T>& completion) {
+    if (world.sea.surface.differs_in_environments) completion.surface.meet(world.sea, way.meeting);
+    if (group.region.in_air)
+      add_air(group.region, photon.line, way.direction.z, completion.ways);
+    else
+      completion.pass(world.sea, way.in_water);
+  };
+  score<Events>(world, static_cast<std::size_t>(&group - world.groups.data()), seen, scores,
+                complete, estimates, tally);
 }
 /// Before the given facet of an event.
 template <class Events, class T>
@@ -93,12 +91,10 @@ struct ScoredAtSurface {
     if (any(scored)) score_at_surface<Events>(world, t, at.in_air, scored, facet, estimates, tally);
   }
   void met(const Mask<T>& meets, const surface::FacetHit<T>& meeting) {
-    if (has_environments<Events>(world) && world.sea.surface.differs_in_environments)
-      t.ratios.met(world.sea, meeting, meets);
+    companions_of<Events>(world, t).met(meeting, meets);
   }
   void crossed(std::int32_t way, const T& cosine, const Mask<T>& crosses) {
-    if (has_environments<Events>(world) && world.sea.environments.other_film)
-      t.ratios.crossed(world.sea, {t.photon.line, Index<T>(way), cosine}, crosses);
+    companions_of<Events>(world, t).crossed(t.photon.line, way, cosine, crosses);
   }
   void passes(const Mask<T>& mask, const Vec3<T>& direction, const T& weight) {
     pass_surface(world, t, mask, direction, weight, passings++, leave);

@@ -7,6 +7,7 @@
 #include "estimator/contribution.hpp"
 #include "estimator/forward/forward_tracks.hpp"
 #include "estimator/variations/environments.hpp"
+#include "estimator/variations/ratios.hpp"
 #include "estimator/world.hpp"
 #include "lanes/each_score.hpp"
 #include "lanes/queue.hpp"
@@ -114,10 +115,17 @@ struct Estimates {
   std::vector<lanes::ScoreQueue<T>> scores;          ///< in each group
 
   // Ratios of the light that is scored, in environments.
-  PathRatios<T>* paths = nullptr;
+  const PathRatios<T>* paths = nullptr;
   std::size_t first = 0;  ///< path of the first lane
   Terms<T> unflown;       ///< of ways that the photons have not gone, but the light has
   Completion<T> completion;
+
+  /// The light is that of such photons, and has gone where they have.
+  void begin(const Ratios<T>& photons) {
+    paths = photons.paths;
+    first = photons.first;
+    unflown.clear();
+  }
   std::vector<Element<T>> ratios;  ///< of one lane, [environment]
 };
 
@@ -150,6 +158,17 @@ void score_completed(const World<T>& world, const Mask<T>& seen, const lanes::La
         tally.score(score, at, estimates.ratios.data());
       });
 }
+/// Scores light in telescopes of a group. complete(completion) completes its paths in environments.
+template <class Events, class T, class Complete>
+void score(const World<T>& world, std::size_t group, const Mask<T>& seen,
+           const lanes::LaneScores<T>& scores, Complete complete, Estimates<T>& estimates,
+           tally::BatchTally& tally) {
+  if (!has_environments<Events>(world)) return estimates.scores[group].push(seen, scores, tally);
+  estimates.completion.clear();
+  complete(estimates.completion);
+  score_completed(world, seen, scores, estimates, tally);
+}
+
 /// The ways that complete paths of light from where it stands to a group of telescopes.
 template <class T>
 void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sources<T>& from,
@@ -176,22 +195,20 @@ void complete_surface(const World<T>& world, const transport::WavesConnection<T>
                       Completion<T>& completion) {
   if (world.sea.surface.differs_in_environments) completion.surface.meet(world.sea, way.meeting);
 }
-/// Light that leaves a collision and goes to telescopes of a group, also in environments.
+/// Completes paths of light that leaves a collision and goes to telescopes of a group. The
+/// arguments are copies, whose originals stay in registers.
 template <class T, class Way>
-PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(
-    const World<T>& world, const ViewGroup<T>& group, Index<T> telescope, Mask<T> seen,
-    Sources<T> from, Way way, T value, Estimates<T>& estimates, tally::BatchTally& tally) {
+PHOTIC_APART PHOTIC_FLATTEN void complete_from_collision(const World<T>& world,
+                                                         const ViewGroup<T>& group, Sources<T> from,
+                                                         Way way, const Terms<T>& unflown,
+                                                         Completion<T>& completion) {
   const transport::Photon<T>& photon = from.photon;
-  auto& completion = estimates.completion;
-  completion.clear();
-  completion.ways = estimates.unflown;
+  completion.ways = unflown;
   complete_ways(world, group, from, way, completion);
   complete_surface(world, way, completion);
   completion.collide(world.sea,
                      {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)), from.line,
                       one_minus_cos(photon.direction, way.direction), T(-photon.direction.z)});
-  score_completed(world, seen, scores_of(world, group, telescope, from, way.path, value), estimates,
-                  tally);
 }
 
 /// Scores light in the telescopes of a group: weight before the collision x share of the process x
@@ -204,21 +221,21 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
   const Photon<T>& photon = from.photon;
   const auto [share, phase] = emission(world.sea, from);
   const ViewGroup<T>& group = world.groups[g];
-  const auto score = [&](const auto& way, const instrument::Sight<T>& sight) {
+  const auto score_by = [&](const auto& way, const instrument::Sight<T>& sight) {
     const Mask<T> seen = mask & (way.acceptance > T(0));
     if (!any(seen)) return;
     const T of_vertex = contribution(
         world.sea, Interaction<T>{photon.layer, phase, photon.direction}, way.direction);
     const T value =
         photon.weight * share * of_vertex * way.acceptance * exp_minus(way.optical_depth);
-    auto& queue = estimates.scores[g];
     Index<T> telescope(static_cast<std::int32_t>(group.number));
-    if (queue.nested()) telescope = group.narrowest(sight);
-    if (has_environments<Events>(world)) {
-      score_in_environments(world, group, telescope, seen, from, way, value, estimates, tally);
-      return;
-    }
-    queue.push(seen, scores_of(world, group, telescope, from, way.path, value), tally);
+    if (!group.narrower.empty()) telescope = group.narrowest(sight);
+    estimator::score<Events>(
+        world, g, seen, scores_of(world, group, telescope, from, way.path, value),
+        [&](Completion<T>& completion) {
+          complete_from_collision(world, group, from, way, estimates.unflown, completion);
+        },
+        estimates, tally);
   };
   const auto& telescope = group.widest;
   const auto& region = group.region;
@@ -227,13 +244,13 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
       const auto& u = from.surface;
       const auto way = connect_by_waves(world.sea, telescope, region, photon, from.line, from.lens,
                                         {u[0], u[1], u[2]}, mask);
-      score(way, way.sight);
+      score_by(way, way.sight);
     } else if (world.single_rays) {
       const auto way =
           connect_ray(world.sea, telescope, region, photon, from.line, from.lens, route, mask);
-      score(static_cast<const Connection<T>&>(way), way.sight);
+      score_by(static_cast<const Connection<T>&>(way), way.sight);
     } else {
-      score(connect(world.sea, telescope, region, photon, from.line, route, mask), {});
+      score_by(connect(world.sea, telescope, region, photon, from.line, route, mask), {});
     }
   }
 }
@@ -317,11 +334,7 @@ Mask<T> who_are_scored(const World<T>& world, const ForwardTracks<T>& t, const M
 template <class Events, class T>
 void score_scattering(const World<T>& world, const ForwardTracks<T>& at, const Mask<T>& scored,
                       Estimates<T>& estimates, tally::BatchTally& tally) {
-  if (has_environments<Events>(world)) {
-    estimates.paths = at.ratios.paths;
-    estimates.first = at.ratios.first;
-    estimates.unflown.clear();
-  }
+  if constexpr (Events::variations) estimates.begin(at.ratios);
   score_light<Events>(world, at, at.photon, weight_at_point(world, at.photon), scored,
                       at.photon.line, estimates, tally);
 }

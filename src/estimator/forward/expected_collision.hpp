@@ -15,9 +15,7 @@ void ratios_at(const World<T>& world, const ForwardTracks<T>& from, const transp
                const T& moved, Estimates<T>& estimates) {
   if (!has_environments<Events>(world)) return;
   const transport::Photon<T>& before = from.photon;
-  estimates.paths = from.ratios.paths;
-  estimates.first = from.ratios.first;
-  estimates.unflown.clear();
+  estimates.begin(from.ratios);
   add_segment(
       world.sea,
       {at.line, geometry::level_of(world.sea, before), geometry::level_of(world.sea, at), moved},

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "estimator/book.hpp"
+#include "estimator/companions.hpp"
 #include "estimator/forward/estimate.hpp"
 #include "estimator/random_blocks.hpp"
 #include "surface/oil.hpp"
@@ -47,15 +48,14 @@ void score_film(const World<T>& world, const ForwardTracks<T>& t, std::size_t g,
                                 transport::path_to_telescope(world.sea, group.widest, group.region,
                                                              line, t.lens[g], photon.position, way),
                                 value);
-  if (!has_environments<Events>(world)) return estimates.scores[g].push(seen, scores, tally);
-  estimates.paths = t.ratios.paths;
-  estimates.first = t.ratios.first;
-  estimates.completion.clear();
-  estimates.completion.emission.emit(world.sea, film.at, line, way.direction, group.region.in_air);
-  if (!group.region.in_air)
-    add_segment(world.sea, transport::from_surface_in_water(world.sea, group.region, line, way),
-                estimates.completion.ways);
-  score_completed(world, seen, scores, estimates, tally);
+  estimates.begin(t.ratios);
+  const auto complete = [&](Completion<T>& completion) {
+    completion.emission.emit(world.sea, film.at, line, way.direction, group.region.in_air);
+    if (!group.region.in_air)
+      completion.pass(world.sea,
+                      transport::from_surface_in_water(world.sea, group.region, line, way));
+  };
+  score<Events>(world, g, seen, scores, complete, estimates, tally);
 }
 
 /// Weight that leaves the film of what it emits into one half of all directions: by one of them, an
@@ -94,8 +94,7 @@ PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, ForwardTracks<T>& t,
 
   const T sinks = emitted_weight(world, photon, line, lit, down, false) * T(1 / film_conversion);
   const Mask<T> converted = lit.mask & (u[0] < T(film_conversion));
-  if (has_environments<Events>(world) && world.sea.environments.other_film && any(converted))
-    t.ratios.emitted(world.sea, lit.at, line, down, false, converted);
+  companions_of<Events>(world, t).emitted(lit.at, line, down, false, converted);
   book(ledger.oil, converted, T(0) - sinks);
   photon.weight = photon.weight * select(lit.mask, T(1 / (1 - film_conversion)), T(1));
   photon.weight = select(converted, sinks, photon.weight);

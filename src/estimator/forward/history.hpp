@@ -27,8 +27,7 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
   if (world.sea.bands > 0) t.spectral_bin = medium::spectral_bin_of(u[3]);
   birth_at_laser(world, u[0], u[1], exist, t, ledger);
   if (!world.laser_region.in_air) return;
-  if (has_environments<Events>(world))
-    t.ratios.came_down(world.sea, world.laser_region, t.photon.line, t.photon.direction, t.on);
+  companions_of<Events>(world, t).came_down(world.laser_region, t.photon, t.on);
   const Mask<T> stand = t.on;
   cross_surface<Events>(world, t, stand, true, estimates, tally, ledger, {});
 }
@@ -39,8 +38,7 @@ void keep_copies(const World<T>& world, const ForwardTracks<T>& photon,
                  std::vector<ForwardTracks<T>>& waiting) {
   for (std::int32_t i = 0; i < photon.copies; ++i) {
     waiting.push_back(photon);
-    if (world.has_environments)
-      photon.ratios.paths->copy(world.sea.environments, 0, waiting.size());
+    photon.ratios.paths->copy(world.sea.environments, 0, waiting.size());
     waiting.back().place.photon =
         copy_number(photon.place.key, photon.place.photon, photon.place.event, i);
   }
@@ -60,9 +58,8 @@ struct Passed {
 template <class T>
 Leave<T> wait_to_pass(const World<T>& world, Passed<T>& passed) {
   return [&](const ForwardTracks<T>& gone, std::int32_t copy) {
-    if (world.has_environments)
-      passed.ratios.copy(world.sea.environments, *gone.ratios.paths, gone.ratios.first,
-                         passed.photons.size());
+    passed.ratios.copy(world.sea.environments, *gone.ratios.paths, gone.ratios.first,
+                       passed.photons.size());
     passed.photons.push_back(gone);
     RandomPlace<T>& place = passed.photons.back().place;
     place.photon = copy_number(world.key, place.photon, place.event, copy);
@@ -88,8 +85,7 @@ PHOTIC_APART PHOTIC_FLATTEN void follow(const World<T>& world, ForwardTracks<T>&
       if (photon.on) continue;
     }
     if (!Events::tools || waiting.empty()) return;
-    if (has_environments<Events>(world))
-      photon.ratios.paths->copy(world.sea.environments, waiting.size(), 0);
+    photon.ratios.paths->copy(world.sea.environments, waiting.size(), 0);
     photon = std::move(waiting.back());
     waiting.pop_back();
   }
@@ -120,7 +116,7 @@ void follow(const World<T>& world, std::uint64_t first, std::uint64_t count, Pas
               [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); },
               wait_to_pass(world, passed)};
   for (; n < static_cast<std::int32_t>(count); ++n) {
-    if (has_environments<Events>(world)) paths.of(0).begin(world.sea.environments);
+    paths.begin(world.sea.environments, 0);
     birth<Events>(world, draws, n, true, photon, estimates, tally, tally.ledger);
     if (photon.on) follow<Events>(world, photon, waiting, first_flight, steps, witness);
   }
@@ -142,10 +138,8 @@ void follow(const World<T>& world, Passed<T>& arrivals, Passed<T>& passed, tally
       wait_to_pass(world, passed)};
   for (std::size_t i = 0; i < arrivals.photons.size(); ++i) {
     photon = std::move(arrivals.photons[i]);
-    if (world.has_environments) {
-      paths.copy(world.sea.environments, arrivals.ratios, i, 0);
-      photon.ratios.paths = &paths;
-    }
+    paths.copy(world.sea.environments, arrivals.ratios, i, 0);
+    photon.ratios.paths = &paths;
     photon.place.key = world.key;
     follow<Events>(world, photon, waiting, steps, steps, witness);
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "estimator/companions.hpp"
 #include "estimator/event.hpp"
 #include "estimator/forward/at_surface.hpp"
 #include "estimator/forward/estimate.hpp"
@@ -52,14 +53,15 @@ struct ForwardSteps {
 
   transport::FlightEnd<T> fly(ForwardTracks<T>& t) {
     transport::Photon<T>& photon = t.photon;
-    if (has_environments<Events>(world)) t.ratios.before = photon;
+    const auto companions = companions_of<Events>(world, t);
+    companions.before(photon);
     auto end = transport::fly(world.sea, photon, t.free_path);
     if (flies_on()) {
       transport::fly_on(world.sea, photon, end, [&](const Mask<T>& reflected, auto& down) {
         t.on = (t.on & !reflected) | reflect_in_flight(t, t.on & reflected, down);
       });
     }
-    if (has_environments<Events>(world)) t.ratios.flown(world.sea, photon, end.length, t.on);
+    companions.flown(photon, end.length, t.on);
     return end;
   }
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
@@ -93,7 +95,7 @@ struct ForwardSteps {
     const Index<T> here = world.sea.at(photon.line, photon.layer);
     book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
     if (world.sea.bed_angles > 0) book_bed(photon, colliding);
-    if (has_environments<Events>(world)) t.ratios.before = photon;
+    companions_of<Events>(world, t).before(photon);
     t.branch = transport::collide(world.sea, photon, t.spectral_bin, world.conversion, t.choices[0],
                                   t.choices[1]);
     transport::Photon<T>& after = t.photon;
@@ -161,7 +163,7 @@ struct ForwardSteps {
     transport::Photon<T>& photon = t.photon;
     if (world.directs) t.old_direction = photon.direction;
     photon.direction = select<T>(colliding, transport::turned(t.deflection), photon.direction);
-    if (has_environments<Events>(world)) t.ratios.collided(world.sea, photon, colliding);
+    companions_of<Events>(world, t).collided(photon, colliding);
   }
   /// The weight takes the ratio of the true density of directions to that with targets.
   void weigh_direction(ForwardTracks<T>& t) {

@@ -15,20 +15,19 @@ namespace photic::estimator {
 template <class Events, class T, class Ledger>
 void rise_to_surface(const World<T>& world, ForwardTracks<T>& t, Estimates<T>& estimates,
                      tally::BatchTally& tally, Ledger& ledger) {
-  if (has_environments<Events>(world)) t.ratios.before = t.photon;
+  const auto companions = companions_of<Events>(world, t);
+  companions.before(t.photon);
   const auto up = transport::come_up(world.sea, t.photon);
   const Mask<T> rises = t.on & up.rises;
   if (!any(rises)) return;
-  if (has_environments<Events>(world)) t.ratios.flown(world.sea, t.photon, up.way.length, rises);
+  companions.flown(t.photon, up.way.length, rises);
   cross_surface<Events>(world, t, rises, false, estimates, tally, ledger, {});
 }
 
-/// Scores the echo of photons `first` … `first + count - 1` of a batch, if there are waves; nothing
-/// else of them counts.
-template <class Ledger, class T>
-PHOTIC_APART void surface_echo(const World<T>& world, std::uint64_t first, std::uint64_t count,
-                               tally::BatchTally& tally) {
-  if (world.sea.surface.one_direction_each) return;
+/// Scores the echo of photons `first` … `first + count - 1` of a batch.
+template <class Events, class Ledger, class T>
+void echo_of_surface(const World<T>& world, std::uint64_t first, std::uint64_t count,
+                     tally::BatchTally& tally) {
   const Draws<T> draws = draws_of_laser(world, first);
   ForwardTracks<T> t(world);
   Estimates<T> estimates(world);
@@ -36,20 +35,23 @@ PHOTIC_APART void surface_echo(const World<T>& world, std::uint64_t first, std::
   t.ratios.paths = &paths;
   Ledger not_counted;
   for (std::uint64_t n = 0; n < count; n += lanes_of<T>) {
-    const Mask<T> exist = first_lanes<T>(count - n);
-    const auto number = static_cast<std::int32_t>(n);
-    if (world.has_environments) {
-      for (std::size_t k = 0; k < lanes_of<T>; ++k) paths.of(k).begin(world.sea.environments);
-      birth<AllEvents>(world, draws, number, exist, t, estimates, tally, not_counted);
-      if (!world.laser_region.in_air)
-        rise_to_surface<AllEvents>(world, t, estimates, tally, not_counted);
-    } else {
-      birth<PlainEvents>(world, draws, number, exist, t, estimates, tally, not_counted);
-      if (!world.laser_region.in_air)
-        rise_to_surface<PlainEvents>(world, t, estimates, tally, not_counted);
-    }
+    for (std::size_t k = 0; k < lanes_of<T>; ++k) paths.begin(world.sea.environments, k);
+    birth<Events>(world, draws, static_cast<std::int32_t>(n), first_lanes<T>(count - n), t,
+                  estimates, tally, not_counted);
+    if (!world.laser_region.in_air)
+      rise_to_surface<Events>(world, t, estimates, tally, not_counted);
   }
   flush_queues(world, estimates, tally);
+}
+/// The same, if there are waves; nothing else of the photons counts.
+template <class Ledger, class T>
+PHOTIC_APART void surface_echo(const World<T>& world, std::uint64_t first, std::uint64_t count,
+                               tally::BatchTally& tally) {
+  if (world.sea.surface.one_direction_each) return;
+  if (world.all_events)
+    echo_of_surface<AllEvents, Ledger>(world, first, count, tally);
+  else
+    echo_of_surface<PlainEvents, Ledger>(world, first, count, tally);
 }
 
 }  // namespace photic::estimator

@@ -111,7 +111,7 @@ struct PathRatio {
   }
 };
 
-/// The numbers of many paths.
+/// The numbers of many paths; none where there are no environments.
 template <class T>
 class PathRatios {
  public:
@@ -123,6 +123,9 @@ class PathRatios {
     auto* product = &number_[2 * blocks_ * path];
     return {product->number.data(), product[blocks_].number.data()};
   }
+  void begin(const medium::EnvironmentsView& environments, std::size_t path) {
+    if (blocks_ > 0) of(path).begin(environments);
+  }
   /// Makes a path, perhaps a new one, like another.
   void copy(const medium::EnvironmentsView& environments, std::size_t from, std::size_t to) {
     copy(environments, *this, from, to);
@@ -130,6 +133,7 @@ class PathRatios {
   /// The same of one that is kept with others.
   void copy(const medium::EnvironmentsView& environments, PathRatios& others, std::size_t from,
             std::size_t to) {
+    if (blocks_ == 0) return;
     number_.resize(std::max(number_.size(), 2 * blocks_ * (to + 1)));
     const PathRatio<T> source = others.of(from), copy = of(to);
     each_group<T>(environments, [&](std::int32_t e) {
