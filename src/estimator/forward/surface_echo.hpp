@@ -1,6 +1,6 @@
 // The surface's own echo: light that has not been in the water. The bidirectional estimator's walks
 // leave it to the forward one. Where a film of oil shines, histories beside the walks score it
-// (beside_walks.hpp).
+// (plan.hpp).
 #pragma once
 
 #include <cstdint>
@@ -23,12 +23,11 @@ void rise_to_surface(const World<T>& world, ForwardTracks<T>& t, Estimates<T>& e
   cross_waves<Events>(world, t, rises, false, estimates, tally, ledger, {});
 }
 
-/// Scores the echo of photons `first` … `first + count - 1` of a batch, if there are waves; nothing
-/// else of them counts.
+/// Scores the echo of photons `first` … `first + count - 1` of a batch over waves; nothing else of
+/// them counts.
 template <class Ledger, class T>
 PHOTIC_APART void surface_echo(const World<T>& world, std::uint64_t first, std::uint64_t count,
                                tally::BatchTally& tally) {
-  if (!world.sea.waves.rough) return;
   const Draws<T> draws = draws_of_laser(world, first);
   ForwardTracks<T> t(world);
   Estimates<T> estimates(world);
