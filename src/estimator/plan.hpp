@@ -1,5 +1,5 @@
-// The histories that make a run's echo, as sets that are followed one after the other: which of
-// them a scene takes is written here alone.
+// The histories that make a run's echo, as sets that are followed one after the other. make_plan()
+// alone says which of them a scene takes.
 #pragma once
 
 #include <cstddef>

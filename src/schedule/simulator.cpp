@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/error.hpp"
+
 namespace photic::schedule {
 
 Simulator::Simulator(estimator::Plan plan, const MakeSet& make) : plan_(std::move(plan)) {
   for (const estimator::HistorySet& set : plan_.sets) simulators_.push_back(make(set));
+  for (const estimator::HistorySet& set : plan_.sets)
+    expect(!set.passes_to || simulators_[set.passes_to->set]->no_arrivals(),
+           "light goes on in sets that take arrivals");
 }
 
 void Simulator::simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const {
