@@ -1,7 +1,6 @@
-#include "estimator/air.hpp"
-
 #include <algorithm>
 
+#include "estimator/model.hpp"
 #include "estimator/walk_attenuation.hpp"
 #include "medium/upside_down.hpp"
 
@@ -36,12 +35,6 @@ Model model_of_air(const Model& model) {
   out.paths = free_paths(out.medium, out.scene.simulation);
   out.averaged = averaged_phases(out.scene, out.medium);
   return out;
-}
-
-Model by_histories(const Model& model) {
-  scene::Simulation forward = model.scene.simulation;
-  forward.estimator = scene::Estimator::forward;
-  return simulated_by(model, forward);
 }
 
 }  // namespace photic::estimator

@@ -8,6 +8,7 @@
 
 #include "estimator/nested_views.hpp"
 #include "estimator/origin.hpp"
+#include "estimator/plan.hpp"
 #include "estimator/strategies.hpp"
 #include "estimator/walk_attenuation.hpp"
 #include "estimator/walk_cones.hpp"
@@ -208,6 +209,24 @@ World<T> make_world(const Model& model) {
   world.key = scene.simulation.seed;
   world.batch_photons = batch_photons(scene.simulation);
   if (spreads_evenly(scene)) world.points = {world.batch_photons, quasi_random_dimensions};
+  return world;
+}
+
+/// The world of a plan's set.
+template <class T>
+World<T> make_world(const HistorySet& set) {
+  World<T> world = make_world<T>(*set.model);
+  world.key = set.model->scene.simulation.seed ^ set.stream;
+  world.scored = set.scored;
+  if (set.scored == Scored::film) {  // light that the water converts is left to the walks
+    world.conversion = T(0);
+    world.views.clear();
+    world.cones.clear();
+  }
+  if (set.passes_to) {
+    world.beyond = {true, T(set.passes_to->chance), T(set.passes_to->path_m)};
+    world.flies_on = false;  // past the surface without meeting it
+  }
   return world;
 }
 

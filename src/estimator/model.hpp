@@ -62,6 +62,9 @@ Model make_model(const scene::Scene& scene);
 
 /// The same scene, simulated otherwise.
 Model simulated_by(const Model& model, const scene::Simulation& simulation);
+/// The air of a model above the sea, upside down (medium/upside_down.hpp): what follows light in
+/// the water follows it there.
+Model model_of_air(const Model& model);
 
 /// The simulated scene, with the instruments as given.
 scene::Scene reported_scene(const Model& model);

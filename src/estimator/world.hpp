@@ -11,8 +11,8 @@
 #include "estimator/entry_cone.hpp"
 #include "estimator/inverse_conversion.hpp"
 #include "estimator/meeting_grid.hpp"
-#include "estimator/model.hpp"
 #include "estimator/origin.hpp"
+#include "estimator/plan.hpp"
 #include "estimator/reach.hpp"
 #include "estimator/view.hpp"
 #include "geometry/region.hpp"
@@ -87,14 +87,6 @@ Tools<T> make_tools(const scene::Tools& s) {
   }
   return tools;
 }
-
-/// The light that histories score.
-enum class Scored : std::int8_t {
-  all,
-  film,       ///< a film's and the surface's own: walks score all else
-  none,       ///< none: they lead to other histories
-  from_water  ///< in the air, light that has been in the water
-};
 
 /// The rows of Strategies (strategies.hpp) that histories ask. The use of free walks follows from
 /// the cones and the grids.

@@ -1,11 +1,12 @@
-// The parts of which engines are made, one for each estimator: each is compiled in a file of its
-// own, those of lanes once for each instruction set (cmake/photic.cmake).
+// The parts of which engines are made, one for each kind of history sets. Those of an estimator are
+// compiled in a file of their own, those of lanes once for each instruction set
+// (cmake/photic.cmake).
 #pragma once
 
 #include <memory>
 
 #include "core/isa.hpp"
-#include "estimator/model.hpp"
+#include "estimator/plan.hpp"
 #include "schedule/simulator.hpp"
 
 namespace photic::schedule {
@@ -14,15 +15,14 @@ struct Scalar;
 template <Isa isa>
 struct Lanes;
 
-/// Kind: Scalar or Lanes. Each simulator keeps the model by reference. Sealed objects export only
-/// the functions whose names contain _simulator.
+/// Kind: Scalar or Lanes. Sealed objects export only the functions whose names contain _simulator.
 template <class Kind>
 struct EngineParts {
-  static std::unique_ptr<Simulator> forward_simulator(const estimator::Model& model);
-  static BesideWalks beside_walks_simulators(const estimator::Model& model);
-  static std::unique_ptr<Simulator> walks_simulator(const estimator::Model& model,
-                                                    BesideWalks beside);
-  static std::unique_ptr<Simulator> analog_simulator(const estimator::Model& model);
+  using Set = estimator::HistorySet;
+  static std::unique_ptr<SetSimulator> histories_simulator(const Set& set);
+  static std::unique_ptr<SetSimulator> surface_echo_simulator(const Set& set);
+  static std::unique_ptr<SetSimulator> walks_simulator(const Set& set);
+  static std::unique_ptr<SetSimulator> analog_simulator(const Set& set);
 };
 
 }  // namespace photic::schedule

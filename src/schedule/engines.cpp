@@ -8,19 +8,32 @@
 namespace photic::schedule {
 namespace {
 
-template <class Kind>
-std::unique_ptr<Simulator> make(const estimator::Model& model) {
-  using Parts = EngineParts<Kind>;
-  switch (model.scene.simulation.estimator) {
-    case scene::Estimator::bidirectional:
-      return Parts::walks_simulator(model, Parts::beside_walks_simulators(model));
-    case scene::Estimator::analog:
-      return Parts::analog_simulator(model);
-    case scene::Estimator::automatic:  // left open: as forward
-    case scene::Estimator::forward:
+template <class Engine>
+std::unique_ptr<SetSimulator> make(const estimator::HistorySet& set) {
+  using Parts = EngineParts<Engine>;
+  using enum estimator::HistorySet::Kind;
+  switch (set.kind) {
+    case walks:
+      return Parts::walks_simulator(set);
+    case surface_echo:
+      return Parts::surface_echo_simulator(set);
+    case analog:
+      return Parts::analog_simulator(set);
+    case histories:
       break;
   }
-  return Parts::forward_simulator(model);
+  return Parts::histories_simulator(set);
+}
+
+Simulator::MakeSet parts_of(const std::optional<Isa>& lanes) {
+  if (!lanes) return make<Scalar>;
+#if defined(PHOTIC_ISA_AVX512)
+  if (lanes == Isa::avx512) return make<Lanes<Isa::avx512>>;
+#endif
+#if defined(PHOTIC_ISA_AVX2)
+  if (lanes == Isa::avx2) return make<Lanes<Isa::avx2>>;
+#endif
+  return make<Lanes<Isa::baseline>>;
 }
 
 }  // namespace
@@ -39,14 +52,7 @@ std::optional<Isa> isa_of_engine(std::string_view engine) {
 std::unique_ptr<Simulator> make_simulator(const estimator::Model& model,
                                           const std::optional<Isa>& lanes) {
   expect(!lanes || runs_here(*lanes), "lanes are made of instructions that the processor has");
-  if (!lanes) return make<Scalar>(model);
-#if defined(PHOTIC_ISA_AVX512)
-  if (lanes == Isa::avx512) return make<Lanes<Isa::avx512>>(model);
-#endif
-#if defined(PHOTIC_ISA_AVX2)
-  if (lanes == Isa::avx2) return make<Lanes<Isa::avx2>>(model);
-#endif
-  return make<Lanes<Isa::baseline>>(model);
+  return std::make_unique<Simulator>(estimator::make_plan(model), parts_of(lanes));
 }
 
 }  // namespace photic::schedule

@@ -2,35 +2,49 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <utility>
 
 #include "estimator/forward/history.hpp"
+#include "schedule/simulator.hpp"
 
 namespace photic::schedule {
 
 /// Histories of the forward estimator.
 template <class T>
-struct HistoriesOneByOne {
-  using Number = T;
-  using Ledger = tally::Ledger;
-  using Passed = estimator::Passed<T>;
-  using World = estimator::World<T>;
+class HistoriesOneByOne final : public SetSimulator {
+ public:
+  explicit HistoriesOneByOne(estimator::World<T> world) : world_(std::move(world)) {}
 
-  static void run(const World& world, std::uint64_t first, std::uint64_t count,
-                  tally::BatchTally& tally) {
-    Passed none(world);
-    run(world, first, count, tally, none);
+  [[nodiscard]] std::unique_ptr<Arrivals> no_arrivals() const override {
+    return std::make_unique<List>(world_);
   }
-  /// Photons that leave the world's medium are added to `passed`.
-  static void run(const World& world, std::uint64_t first, std::uint64_t count,
-                  tally::BatchTally& tally, Passed& passed) {
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
+           Arrivals* passed) const override {
+    follow(tally, passed, first, count);
+  }
+  void run(Arrivals& arrivals, tally::BatchTally& tally, Arrivals* passed) const override {
+    follow(tally, passed, static_cast<List&>(arrivals).photons);
+  }
+
+ private:
+  struct List final : Arrivals {
+    explicit List(const estimator::World<T>& world) : photons(world) {}
+    [[nodiscard]] bool empty() const override { return photons.photons.empty(); }
+
+    estimator::Passed<T> photons;
+  };
+
+  /// `from`: as follow_in() takes it.
+  template <class... From>
+  void follow(tally::BatchTally& tally, Arrivals* passed, From&&... from) const {
+    List none(world_);
     estimator::follow_in(
-        world, tally, passed, [](const auto&) {}, first, count);
+        world_, tally, (passed != nullptr ? static_cast<List&>(*passed) : none).photons,
+        [](const auto&) {}, std::forward<From>(from)...);
   }
-  /// Photons that have come from the other medium.
-  static void run(const World& world, Passed& arrivals, tally::BatchTally& tally, Passed& passed) {
-    estimator::follow_in(
-        world, tally, passed, [](const auto&) {}, arrivals);
-  }
+
+  estimator::World<T> world_;
 };
 
 }  // namespace photic::schedule

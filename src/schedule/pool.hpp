@@ -20,6 +20,7 @@
 #include "estimator/forward/history.hpp"
 #include "lanes/lane_ledger.hpp"
 #include "schedule/reserve.hpp"
+#include "schedule/simulator.hpp"
 
 namespace photic::schedule {
 
@@ -27,9 +28,10 @@ template <class T>
 class Pool {
  public:
   /// Photons on their way from one medium to the other.
-  struct Passed {
+  struct Passed final : Arrivals {
     explicit Passed(const estimator::World<T>& world)
         : photons(Carried{}), ratios(world.sea.environments, 0) {}
+    [[nodiscard]] bool empty() const override { return photons.size() == 0; }
 
     Reserve<T> photons;
     estimator::PathRatios<T> ratios;  ///< of each, in environments
@@ -72,7 +74,7 @@ class Pool {
     arrivals_ = nullptr;
   }
   /// Sets the list that takes the photons that go on to the other medium.
-  void leave_to(Passed& passed) { passed_ = &passed; }
+  void leave_to(Passed* passed) { passed_ = passed; }
 
  private:
   template <class Witness>

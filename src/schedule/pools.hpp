@@ -3,47 +3,43 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "schedule/pool.hpp"
 #include "schedule/spares.hpp"
 
 namespace photic::schedule {
 
-/// The pools of one world, which is always the same.
 template <class T>
-class Pools {
+class Pools final : public SetSimulator {
  public:
-  using Number = T;
-  using Ledger = lanes::LaneLedger<T>;
-  using Passed = typename Pool<T>::Passed;
-  using World = estimator::World<T>;
+  explicit Pools(estimator::World<T> world) : world_(std::move(world)) {}
 
-  void run(const World& world, std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) {
-    lend(world, [&](auto& pool) { pool.run(first, count, tally, [](const auto&...) {}); });
+  [[nodiscard]] std::unique_ptr<Arrivals> no_arrivals() const override {
+    return std::make_unique<Passed>(world_);
   }
-  /// Photons that leave the world's medium are added to `passed`.
-  void run(const World& world, std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
-           Passed& passed) {
-    lend(world, [&](auto& pool) {
-      pool.leave_to(passed);
-      pool.run(first, count, tally, [](const auto&...) {});
-    });
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
+           Arrivals* passed) const override {
+    lend(passed, [&](auto& pool) { pool.run(first, count, tally, [](const auto&...) {}); });
   }
-  /// Photons that have come from the other medium.
-  void run(const World& world, Passed& arrivals, tally::BatchTally& tally, Passed& passed) {
-    lend(world, [&](auto& pool) {
-      pool.leave_to(passed);
-      pool.run(arrivals, tally);
-    });
+  void run(Arrivals& arrivals, tally::BatchTally& tally, Arrivals* passed) const override {
+    lend(passed, [&](auto& pool) { pool.run(static_cast<Passed&>(arrivals), tally); });
   }
 
  private:
+  using Passed = typename Pool<T>::Passed;
+
   template <class Use>
-  void lend(const World& world, Use use) {
-    pools_.lend([&] { return std::make_unique<Pool<T>>(world); }, use);
+  void lend(Arrivals* passed, Use use) const {
+    pools_.lend([&] { return std::make_unique<Pool<T>>(world_); },
+                [&](auto& pool) {
+                  pool.leave_to(static_cast<Passed*>(passed));
+                  use(pool);
+                });
   }
 
-  Spares<Pool<T>> pools_;
+  estimator::World<T> world_;
+  mutable Spares<Pool<T>> pools_;
 };
 
 }  // namespace photic::schedule

@@ -1,22 +1,19 @@
 // The forward estimator in the scalar engine.
+#include "estimator/make_world.hpp"
 #include "schedule/engine_parts.hpp"
-#include "schedule/forward.hpp"
 #include "schedule/one_by_one.hpp"
+#include "schedule/surface_echo.hpp"
 
 namespace photic::schedule {
-namespace {
-
-using Histories = HistoriesOneByOne<double>;
-
-}  // namespace
 
 template <>
-std::unique_ptr<Simulator> EngineParts<Scalar>::forward_simulator(const estimator::Model& model) {
-  return std::make_unique<ForwardSimulator<Histories>>(model);
+std::unique_ptr<SetSimulator> EngineParts<Scalar>::histories_simulator(const Set& set) {
+  return std::make_unique<HistoriesOneByOne<double>>(estimator::make_world<double>(set));
 }
 template <>
-BesideWalks EngineParts<Scalar>::beside_walks_simulators(const estimator::Model& model) {
-  return beside_walks<Histories>(model);
+std::unique_ptr<SetSimulator> EngineParts<Scalar>::surface_echo_simulator(const Set& set) {
+  return std::make_unique<SurfaceEchoSimulator<double, tally::Ledger>>(
+      estimator::make_world<double>(set));
 }
 
 }  // namespace photic::schedule

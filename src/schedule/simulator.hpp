@@ -2,34 +2,55 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <vector>
 
+#include "estimator/plan.hpp"
 #include "tally/batch_tally.hpp"
 
 namespace photic::schedule {
 
-/// A simulator that all threads share. Its scores depend on the photons alone.
-class Simulator {
+/// Photons that have come to a set from another one. What they are is known to the sets' simulators
+/// alone, which are of one kind.
+class Arrivals {
  public:
-  Simulator() = default;
-  Simulator(const Simulator&) = delete;
-  Simulator& operator=(const Simulator&) = delete;
-  virtual ~Simulator() = default;
-
-  /// Fills a clear tally with photons `first` … `first + count - 1`.
-  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const {
-    add(first, count, tally);
-    tally.pass_to_wider();
-  }
-  /// Adds them to a tally. The narrowest of nested views that sees light scores it.
-  virtual void add(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const = 0;
+  virtual ~Arrivals() = default;
+  [[nodiscard]] virtual bool empty() const = 0;
 };
 
-/// Histories beside the bidirectional estimator's walks, which score what walks leave out. None
-/// where walks leave nothing out.
-struct BesideWalks {
-  std::unique_ptr<Simulator> in_water;  ///< the surface's own echo, the light of a film
-  std::unique_ptr<Simulator> in_air;    ///< light that is scattered in both media
+/// Simulates one set of a plan. All threads share it.
+class SetSimulator {
+ public:
+  SetSimulator() = default;
+  SetSimulator(const SetSimulator&) = delete;
+  SetSimulator& operator=(const SetSimulator&) = delete;
+  virtual ~SetSimulator() = default;
+
+  /// An empty list; none if photons never come from another set.
+  [[nodiscard]] virtual std::unique_ptr<Arrivals> no_arrivals() const { return nullptr; }
+  /// Adds photons `first` … `first + count - 1` of the laser, the first of a batch and up, to a
+  /// tally, and those that pass the surface to `passed`, which is there if light goes on.
+  virtual void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
+                   Arrivals* passed) const = 0;
+  /// The same of photons from another set, which are taken out of their list.
+  virtual void run(Arrivals& /*arrivals*/, tally::BatchTally& /*tally*/,
+                   Arrivals* /*passed*/) const {}
+};
+
+/// Runs a plan. All threads share it. Its scores depend on the photons alone.
+class Simulator {
+ public:
+  using MakeSet = std::function<std::unique_ptr<SetSimulator>(const estimator::HistorySet&)>;
+  Simulator(estimator::Plan plan, const MakeSet& make);
+
+  /// Fills a clear tally with photons `first` … `first + count - 1`. The narrowest of nested views
+  /// that sees light scores it.
+  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const;
+
+ private:
+  estimator::Plan plan_;
+  std::vector<std::unique_ptr<SetSimulator>> simulators_;  ///< of each set
 };
 
 }  // namespace photic::schedule

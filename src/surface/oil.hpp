@@ -10,9 +10,6 @@
 
 namespace photic::surface {
 
-/// Returns whether a channel counts the light of a film.
-inline bool film_shines(const medium::MediumView& sea) { return sea.film.band >= 0; }
-
 /// The line that light of a spectral_bin is emitted in by the film.
 template <class T>
 Index<T> film_line(const medium::MediumView& sea, const Index<T>& spectral_bin) {

@@ -20,7 +20,7 @@ tally::Result simulate_in(const std::string& scene, Change change) {
   const run::RunOptions options;
   run::RunControl control(model.scene.simulation, options);
   tally::Result result = estimator::describe(model);
-  const auto simulator = scalar_engine(world);
+  const auto simulator = scalar_engine(world, model);
   run::BatchRunner(model, *simulator, control).run().fill(result);
   return result;
 }

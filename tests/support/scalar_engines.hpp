@@ -18,7 +18,8 @@ namespace photic::test {
 template <class T>
 std::unique_ptr<schedule::Simulator> scalar_engine(const estimator::Model& model);
 
-/// In a world that no scene describes.
-std::unique_ptr<schedule::Simulator> scalar_engine(const estimator::World<double>& world);
+/// In a world that no scene describes, for the one set of a model's plan.
+std::unique_ptr<schedule::Simulator> scalar_engine(const estimator::World<double>& world,
+                                                   const estimator::Model& model);
 
 }  // namespace photic::test

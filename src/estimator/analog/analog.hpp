@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "core/random.hpp"
 #include "estimator/analog/by_chance.hpp"
@@ -82,7 +82,7 @@ struct AnalogPhotons : Track<T> {
 
 /// Photons on their way from one medium to the other.
 template <class T>
-using AnalogPassed = std::vector<AnalogPhotons<T>>;
+using AnalogPassed = std::deque<AnalogPhotons<T>>;
 
 /// The steps of an event (estimator/event.hpp) of analog photons: chance decides.
 template <class T, class Ledger>
@@ -212,65 +212,55 @@ struct AnalogSteps {
   }
 };
 
-/// Follows photons of the laser until chance has decided what becomes of them. Ledger: of one
-/// photon, or of lanes.
+/// Follows photons until chance has decided what becomes of them; those that leave the world's
+/// medium are added to `passed`. A witness is called at the end of each event with them and the
+/// mask of those on their way before. Ledger: of one photon, or of lanes.
 template <class T, class Ledger>
 class Analog {
  public:
-  explicit Analog(const World<T>& world) : water_(world) {}
-  /// The same under air, in which the laser stands.
-  Analog(const World<T>& water, const World<T>& air) : water_(water), air_(&air) {}
+  Analog(const World<T>& world, tally::BatchTally& tally, AnalogPassed<T>& passed)
+      : steps_{world, ledger_, tally, passed} {}
 
-  /// Photons `first` … `first + count - 1`, the first of a batch and up. `witness` is called at the
-  /// end of each event with them and the mask of those on their way before.
+  /// Photons `first` … `first + count - 1` of the laser, the first of a batch and up.
   template <class Witness>
-  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Witness witness) {
-    const World<T>& world = air_ != nullptr ? *air_ : water_;
-    const Draws<T> draws = draws_of_laser(world, first);
-    AnalogPassed<T> to_air, to_water;
-    auto& passed = air_ != nullptr ? to_water : to_air;
-    AnalogSteps<T, Ledger> steps{world, air_ != nullptr ? in_air_ : in_water_, tally, passed};
+  void run(std::uint64_t first, std::uint64_t count, Witness witness) {
+    const Draws<T> draws = draws_of_laser(steps_.world, first);
     for (std::uint64_t n = 0; n < count; n += lanes_of<T>) {
-      auto photons = steps.birth(draws, static_cast<std::int32_t>(n), first_lanes<T>(count - n));
-      follow(steps, photons, witness);
-      while (!to_air.empty() || !to_water.empty()) {
-        go_on(*air_, in_air_, to_air, to_water, tally, witness);
-        go_on(water_, in_water_, to_water, to_air, tally, witness);
-      }
+      auto photons = steps_.birth(draws, static_cast<std::int32_t>(n), first_lanes<T>(count - n));
+      follow(photons, witness);
     }
-    tally::Ledger all = total(in_air_);
-    all.escaped += std::exchange(all.sea_bed, 0);  // upwards
-    tally.ledger += all;
-    tally.ledger += total(in_water_);
-    in_air_ = in_water_ = {};
+    close_ledger();
+  }
+  /// Photons that have come from the other medium.
+  template <class Witness>
+  void run(AnalogPassed<T>& arrivals, Witness witness) {
+    for (AnalogPhotons<T>& photons : arrivals) {
+      photons.place.key = steps_.world.key;
+      follow(photons, witness);
+    }
+    arrivals.clear();
+    close_ledger();
   }
 
  private:
   template <class Witness>
-  static void follow(AnalogSteps<T, Ledger>& steps, AnalogPhotons<T>& photons, Witness& witness) {
+  void follow(AnalogPhotons<T>& photons, Witness& witness) {
     const auto each = [&](auto stage) { stage(photons); };
     while (any(photons.on)) {
       const Mask<T> before = photons.on;
-      flights(steps, each);
-      collisions(steps, each);
+      flights(steps_, each);
+      collisions(steps_, each);
       witness(photons, before);
     }
   }
-  /// Follows the photons that have come from the other medium.
-  template <class Witness>
-  static void go_on(const World<T>& world, Ledger& ledger, AnalogPassed<T>& arrivals,
-                    AnalogPassed<T>& passed, tally::BatchTally& tally, Witness& witness) {
-    AnalogSteps<T, Ledger> steps{world, ledger, tally, passed};
-    for (AnalogPhotons<T>& photons : arrivals) {
-      photons.place.key = world.key;
-      follow(steps, photons, witness);
-    }
-    arrivals.clear();
+  void close_ledger() {
+    tally::Ledger all = total(std::exchange(ledger_, {}));
+    if (steps_.world.sea.upside_down) all.escaped += std::exchange(all.sea_bed, 0);  // upwards
+    steps_.tally.ledger += all;
   }
 
-  const World<T>& water_;
-  const World<T>* air_ = nullptr;
-  Ledger in_water_{}, in_air_{};
+  Ledger ledger_{};
+  AnalogSteps<T, Ledger> steps_;
 };
 
 }  // namespace photic::estimator

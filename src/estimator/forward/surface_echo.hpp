@@ -1,6 +1,6 @@
 // The surface's own echo: light that has not been in the water. The bidirectional estimator's walks
 // leave it to the forward one. Where a film of oil shines, histories beside the walks score it
-// (beside_walks.hpp).
+// (plan.hpp).
 #pragma once
 
 #include <cstdint>
@@ -43,11 +43,10 @@ void echo_of_surface(const World<T>& world, std::uint64_t first, std::uint64_t c
   }
   flush_queues(world, estimates, tally);
 }
-/// The same, if there are waves; nothing else of the photons counts.
+/// The same by the events that the world asks for. Nothing else of the photons counts.
 template <class Ledger, class T>
 PHOTIC_APART void surface_echo(const World<T>& world, std::uint64_t first, std::uint64_t count,
                                tally::BatchTally& tally) {
-  if (world.sea.surface.one_direction_each) return;
   if (world.all_events)
     echo_of_surface<AllEvents, Ledger>(world, first, count, tally);
   else

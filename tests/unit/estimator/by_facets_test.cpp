@@ -47,10 +47,10 @@ double slanted(const Vec3<double>& in, const Vec3<double>& out) {
 }
 
 enum class By { light, back };
-enum class Scored { weight, chance, chance_inverse, one };
+enum class ScoredBy { weight, chance, chance_inverse, one };
 
 /// Of walks by so many facets, one or several, that begin in directions from Lambert's law.
-Mean mean_of(By by, const RoughSurface<double>& surface, bool several, Scored scored, int walks,
+Mean mean_of(By by, const RoughSurface<double>& surface, bool several, ScoredBy scored, int walks,
              Facets which = Facets::any) {
   const RandomKey key{(by == By::light ? 7U : 8U) + (which == Facets::any ? 0U : 10U)};
   Mean mean;
@@ -68,10 +68,10 @@ Mean mean_of(By by, const RoughSurface<double>& surface, bool several, Scored sc
     }
     const double g =
         by == By::light ? slanted(begun, photon.direction) : slanted(-photon.direction, -begun);
-    const double bounded = scored == Scored::weight   ? photon.weight
-                           : scored == Scored::one    ? 1
-                           : scored == Scored::chance ? met.chance
-                                                      : 1 / met.chance;
+    const double bounded = scored == ScoredBy::weight   ? photon.weight
+                           : scored == ScoredBy::one    ? 1
+                           : scored == ScoredBy::chance ? met.chance
+                                                        : 1 / met.chance;
     mean.add(g * bounded);
   }
   return mean;
@@ -92,8 +92,8 @@ TEST(ByFacets, WalksBackwardsCarryWhatLightDoes) {
     const WavesView waves = steep_waves(white.fraction);
     const RoughSurface<double> surface{waves, 1.34, white};
     for (const bool several : {false, true})  // seen red: without 1 / (1 + Smith's function)
-      expect_same(mean_of(By::light, surface, several, Scored::weight, walks),
-                  mean_of(By::back, surface, several, Scored::weight, walks), 0.05,
+      expect_same(mean_of(By::light, surface, several, ScoredBy::weight, walks),
+                  mean_of(By::back, surface, several, ScoredBy::weight, walks), 0.05,
                   several ? "several facets" : "one facet");
   }
 }
@@ -103,16 +103,16 @@ TEST(ByFacets, WalksThatReturnCarryWhatOthersDo) {
   for (const auto& white : {none, some}) {
     const WavesView waves = steep_waves(white.fraction);
     const RoughSurface<double> surface{waves, 1.34, white};
-    const auto mean = [&](By by, bool several, Scored scored, Facets which) {
+    const auto mean = [&](By by, bool several, ScoredBy scored, Facets which) {
       return mean_of(by, surface, several, scored, walks, which);
     };
     for (const By by : {By::light, By::back}) {
       for (const bool several : {false, true})
-        expect_same(mean(by, several, Scored::weight, Facets::any),
-                    mean(by, several, Scored::weight, Facets::that_return), 0.08,
+        expect_same(mean(by, several, ScoredBy::weight, Facets::any),
+                    mean(by, several, ScoredBy::weight, Facets::that_return), 0.08,
                     several ? "several facets" : "one facet");
-      EXPECT_GT(mean(by, false, Scored::one, Facets::that_return).value(),
-                1.5 * mean(by, false, Scored::one, Facets::any).value());
+      EXPECT_GT(mean(by, false, ScoredBy::one, Facets::that_return).value(),
+                1.5 * mean(by, false, ScoredBy::one, Facets::any).value());
     }
   }
 }
@@ -122,11 +122,11 @@ TEST(ByFacets, KnowHowLikelyTheOtherWalkIs) {
     const WavesView waves = steep_waves(white.fraction);
     const RoughSurface<double> surface{waves, 1.34, white};
     for (const bool several : {false, true}) {
-      expect_same(mean_of(By::light, surface, several, Scored::chance, walks),
-                  mean_of(By::back, surface, several, Scored::one, walks), 0.1,
+      expect_same(mean_of(By::light, surface, several, ScoredBy::chance, walks),
+                  mean_of(By::back, surface, several, ScoredBy::one, walks), 0.1,
                   several ? "light, several" : "light, one");
-      expect_same(mean_of(By::back, surface, several, Scored::chance_inverse, walks),
-                  mean_of(By::light, surface, several, Scored::one, walks), 0.1,
+      expect_same(mean_of(By::back, surface, several, ScoredBy::chance_inverse, walks),
+                  mean_of(By::light, surface, several, ScoredBy::one, walks), 0.1,
                   several ? "back, several" : "back, one");
     }
   }

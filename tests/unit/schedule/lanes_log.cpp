@@ -34,9 +34,10 @@ EventLog log_lanes(const estimator::Model& model, std::uint64_t photons) {
     });
   };
   for (std::uint64_t batch = 0; batch < photons; batch += world.batch_photons) {
+    estimator::AnalogPassed<Lanes> none;
     if (world.estimator == scene::Estimator::analog)
-      estimator::Analog<Lanes, lanes::LaneLedger<Lanes>>(world).run(batch, world.batch_photons,
-                                                                    tally, witness);
+      estimator::Analog<Lanes, lanes::LaneLedger<Lanes>>(world, tally, none)
+          .run(batch, world.batch_photons, witness);
     else
       Pool<Lanes>(world).run(batch, world.batch_photons, tally, witness);
   }

@@ -166,8 +166,9 @@ EventLog log_scalar(const estimator::Model& model, std::uint64_t photons) {
   };
   for (std::uint64_t batch = 0; batch < photons; batch += world.batch_photons) {
     if (world.estimator == scene::Estimator::analog) {
-      estimator::Analog<float, tally::Ledger>(world).run(batch, world.batch_photons, tally,
-                                                         witness);
+      estimator::AnalogPassed<float> none_analog;
+      estimator::Analog<float, tally::Ledger>(world, tally, none_analog)
+          .run(batch, world.batch_photons, witness);
       continue;
     }
     estimator::follow_in(world, tally, none, witness, batch, world.batch_photons);
