@@ -1,6 +1,6 @@
 // What travels with a history's light, and changes by what happens to it: its weight in
-// environments. These functions are called at the same points of every event. Where nothing travels
-// with the light (PlainEvents) they cost nothing.
+// environments, and a world's Companion. These functions are called at the same points of every
+// event. Where nothing travels with the light (PlainEvents) they cost nothing.
 #pragma once
 
 #include <cstdint>
@@ -17,40 +17,43 @@ class Companions {
 
   /// The photons as they are before they fly or collide.
   void before(const transport::Photon<T>& photon) const {
-    if (exist()) ratios_.before = photon;
+    if constexpr (Events::variations) ratios_.before = photon;
   }
   /// Photons of a mask have come down from an instrument to the surface.
   void came_down(const geometry::Region<T>& from, const transport::Photon<T>& photon,
                  const Mask<T>& mask) const {
-    if (exist()) ratios_.came_down(world_.sea, from, photon.line, photon.direction, mask);
+    if (in_environments()) ratios_.came_down(world_.sea, from, photon.line, photon.direction, mask);
   }
   /// They have flown so far in the water.
   void flown(const transport::Photon<T>& after, const T& length, const Mask<T>& mask) const {
-    if (exist()) ratios_.flown(world_.sea, after, length, mask);
+    if (in_environments()) ratios_.flown(world_.sea, after, length, mask);
+    if (Events::variations && world_.companion) world_.companion->flown(after, length, mask);
   }
   /// They were scattered or converted where they stand.
   void collided(const transport::Photon<T>& after, const Mask<T>& mask) const {
-    if (exist()) ratios_.collided(world_.sea, after, mask);
+    if (in_environments()) ratios_.collided(world_.sea, after, mask);
+    if (Events::variations && world_.companion)
+      world_.companion->collided(ratios_.before, after, mask);
   }
   /// They have come to a surface that sends light on in one direction on each side.
   void crossed(const Index<T>& line, std::int32_t way, const T& cosine, const Mask<T>& mask) const {
-    if (exist() && world_.sea.environments.other_film)
+    if (in_environments() && world_.sea.environments.other_film)
       ratios_.crossed(world_.sea, {line, Index<T>(way), cosine}, mask);
   }
   /// They have met a facet of it.
   void met(const surface::FacetHit<T>& meeting, const Mask<T>& mask) const {
-    if (exist() && world_.sea.surface.differs_in_environments)
+    if (in_environments() && world_.sea.surface.differs_in_environments)
       ratios_.met(world_.sea, meeting, mask);
   }
   /// A film has emitted their light.
   void emitted(const surface::AtFilm<T>& at, const Index<T>& line, const Vec3<T>& direction,
                bool up, const Mask<T>& mask) const {
-    if (exist() && world_.sea.environments.other_film && any(mask))
+    if (in_environments() && world_.sea.environments.other_film && any(mask))
       ratios_.emitted(world_.sea, at, line, direction, up, mask);
   }
 
  private:
-  [[nodiscard]] bool exist() const { return has_environments<Events>(world_); }
+  [[nodiscard]] bool in_environments() const { return has_environments<Events>(world_); }
 
   const World<T>& world_;
   Ratios<T>& ratios_;

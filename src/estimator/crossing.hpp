@@ -1,7 +1,8 @@
-// Light that stands at the sea surface crosses it or goes back. This is one text for all light. A
-// Rule has what differs: histories split weights (SplitsWeight) or leave all to chance (ByChance),
-// walks of the bidirectional estimator keep the chances of what they draw (LaserWalk,
-// TelescopeWalk). An Observer is shown what happens, to score it.
+// Light that stands at the sea surface crosses it or goes back: cross_surface() for all light. A
+// rule has what differs: histories split weights (SplitsWeight) or leave all to chance (ByChance),
+// walks of the bidirectional estimator keep the chances of what they draw (WalkSteps::AtSurface).
+// Light meets facets by meet_facets(), with a rule for the facets: FacetsOfHistories, LaserWalk,
+// TelescopeWalk. An observer is shown what happens, to score it.
 #pragma once
 
 #include <array>
@@ -24,6 +25,7 @@ struct NoObserver {
   [[nodiscard]] Mask<T> emit(const Mask<T>&, const surface::AtFilm<T>&, const T&, std::uint32_t) {
     return Mask<T>(false);
   }
+  void came_from_film(const auto&) {}
   void about_to_meet(const auto&, std::uint32_t) {}
   void met(const auto&, const auto&) {}
   void crossed(std::int32_t, const auto&, const auto&) {}
@@ -230,16 +232,24 @@ ByFacets<T> walk_by_facets(bool back, const surface::RoughSurface<T>& surface,
               : lead(LaserWalk<T, Draw>{{draw, which}});
 }
 
-/// Has photons of a mask that stand at the surface, in the water or outside, cross it or go back.
-template <class Tracks, class Rule, class Observer>
-void cross_surface(const medium::SurfaceTraits& surface, Tracks& t,
-                   const decltype(Tracks::on)& stand, bool from_outside, Rule& rule,
-                   Observer& observer) {
-  if (!surface.one_direction_each) [[unlikely]]
-    return rule.cross_facets(t, stand, from_outside, observer);
-  if (surface.absorbs) [[unlikely]]
-    return rule.cross_film(t, stand, from_outside, observer);
-  rule.cross_flat(t, stand, from_outside, observer);
+/// Has photons of a mask that stand at the surface, in the water or outside, cross it or go back,
+/// by a rule.
+template <class T, class Tracks, class Rule, class Observer>
+void cross_surface(const World<T>& world, Tracks& t, const Mask<T>& stand, bool from_outside,
+                   Rule& rule, Observer& observer) {
+  transport::Photon<T> before;
+  if (world.companion) [[unlikely]]
+    before = t.photon;
+  const auto& surface = world.sea.surface;
+  if (!surface.one_direction_each) [[unlikely]] {
+    rule.cross_facets(t, stand, from_outside, observer);
+  } else if (surface.absorbs) [[unlikely]] {
+    rule.cross_film(t, stand, from_outside, observer);
+  } else {
+    rule.cross_flat(t, stand, from_outside, observer);
+  }
+  if (world.companion) [[unlikely]]
+    world.companion->crossed(before, t.photon, stand, Mask<T>(stand & t.on));
 }
 
 }  // namespace photic::estimator

@@ -69,7 +69,8 @@ std::vector<HistorySet> bidirectional_sets(const Model& water, const Model* air,
   std::vector<HistorySet> sets{{.kind = walks, .model = &water, .in_ledger = true}};
   const auto sea = water.medium.view();
   const bool shines = sea.surface.emits;
-  if (!shines && !sea.surface.one_direction_each) sets.push_back({.kind = surface_echo, .model = &water});
+  if (!shines && !sea.surface.one_direction_each)
+    sets.push_back({.kind = surface_echo, .model = &water});
   if (!shines && air == nullptr) return sets;
   const Model& forward = models.emplace_back(by_histories(water));
   if (shines)

@@ -22,10 +22,10 @@ Strategy off(std::string name, std::string reason) {
   return {std::move(name), false, std::move(reason)};
 }
 
-Strategy to_laser(const scene::Scene& scene) {
+Strategy to_laser(const scene::Scene& scene, const medium::SurfaceTraits& surface) {
   const std::string name = "walks from telescopes connected to the laser";
-  if (scene.sea.surface.is_rough() && scene.source.position_m.z >= 0) {
-    if (scene.sea.surface.is_one_dimensional())
+  if (!surface.one_direction_each && scene.source.position_m.z >= 0) {
+    if (!surface.leads_anywhere)
       return off(name, "one-dimensional waves lead none of its rays to a given point");
     return {name, true, "where a ray of it comes through waves"};
   }
@@ -58,16 +58,16 @@ Strategy rotated(const medium::Medium& medium, const Vec3<double>& beam) {
 }
 
 const char* const in_water_under_waves = "it is in the water, and waves have no mirror images";
-std::string waves_are_wider(const char* than, const scene::Scene& scene) {
-  if (scene.sea.surface.is_one_dimensional())
-    return "one-dimensional waves lead no ray to a given point";
+std::string waves_are_wider(const char* than, const medium::SurfaceTraits& surface) {
+  if (!surface.leads_anywhere) return "one-dimensional waves lead no ray to a given point";
   return fmt::format("waves spread light wider than {} is on the surface", than);
 }
 
 /// The free walks of telescopes, or the reason why some cannot be free.
 Strategy free_telescopes(const scene::Scene& scene, const medium::Medium& medium) {
   Strategy out{"free walks of telescopes", false, {}};
-  const bool rough = scene.sea.surface.is_rough();
+  const medium::SurfaceTraits surface = medium.view().surface;
+  const bool rough = !surface.one_direction_each;
   std::map<std::string, std::string> bound;  // by the reason
   for (const auto& t : scene.telescope) {
     if (rough ? enters_by_slopes(t, medium) : entry_cone(t, medium, 0).by_depth) {
@@ -77,7 +77,7 @@ Strategy free_telescopes(const scene::Scene& scene, const medium::Medium& medium
     const bool submerged = t.position_m.z < 0;
     std::string& names = bound[!rough      ? "in the water, and tilted or with a view to the side"
                                : submerged ? in_water_under_waves
-                                           : waves_are_wider("the view", scene)];
+                                           : waves_are_wider("the view", surface)];
     names += (names.empty() ? "" : ", ") + t.name;
   }
   for (const auto& [reason, names] : bound)
@@ -90,10 +90,11 @@ Strategy free_laser(const scene::Scene& scene, const medium::Medium& medium) {
   if (laser.collimated) return off(name, "its rays are parallel");
   if (!instrument::can_be_met(laser))
     return off(name, "its rays seem to come from below the surface");
-  if (scene.sea.surface.is_rough()) {
+  const medium::SurfaceTraits surface = medium.view().surface;
+  if (!surface.one_direction_each) {
     if (scene.source.position_m.z < 0) return off(name, in_water_under_waves);
     if (!enters_by_slopes(scene.source, medium))
-      return off(name, waves_are_wider("the beam", scene));
+      return off(name, waves_are_wider("the beam", surface));
     return {name, true, {}};
   }
   if (!entry_cone(scene.source, medium, 0).by_depth)
@@ -124,7 +125,7 @@ Vec3<double> beam_in_water(const scene::Scene& scene, const medium::Medium& medi
 
 Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medium) {
   Strategies out;
-  out.to_laser = to_laser(scene);
+  out.to_laser = to_laser(scene, medium.view().surface);
   out.between = {"walks from both sides connected", true,
                  fmt::format("a share of {:g}", scene.simulation.connected_fraction)};
   out.translated = translated(scene);

@@ -88,7 +88,7 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
   out.free_telescope = meetings(scene, strategies.free_telescope, asked.free_telescope_meetings);
   const Vec3<double> origin = origin_of(scene.source, medium.upside_down);
   const auto source = from_origin(scene.source, origin);
-  const bool rough = scene.sea.surface.is_rough();
+  const bool rough = !medium.view().surface.one_direction_each;
   const auto through_waves = [&](const auto& instrument) {
     return rough && instrument.position_m.z >= 0;
   };

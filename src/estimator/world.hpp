@@ -8,6 +8,7 @@
 #include "core/random.hpp"
 #include "core/sobol.hpp"
 #include "estimator/averaged_phases.hpp"
+#include "estimator/companion.hpp"
 #include "estimator/entry_cone.hpp"
 #include "estimator/inverse_conversion.hpp"
 #include "estimator/meeting_grid.hpp"
@@ -138,7 +139,8 @@ struct World {
   T weight_threshold{};
   std::int32_t scored_points = 1;  ///< of each flight; 1: where photons collide only
   Tools<T> tools;
-  bool all_events = false;  ///< see AllEvents
+  bool all_events = false;            ///< see AllEvents
+  Companion<T>* companion = nullptr;  ///< of all light; none: nullptr
   /// Past the surface in one flight: where each part of it is scored alike, and where photons that
   /// are sent there come there so often that it is worth the while.
   bool flies_on = false;
@@ -169,6 +171,15 @@ struct PlainEvents {
 struct AllEvents {
   static constexpr bool tools = true, variations = true;
 };
+
+/// Has a companion travel with all light of a world. It is shown every crossing: no flight goes
+/// past the surface without meeting it.
+template <class T>
+void accompany(World<T>& world, Companion<T>& companion) {
+  world.companion = &companion;
+  world.all_events = true;
+  world.flies_on = false;
+}
 
 /// Returns whether there are environments.
 template <class Events, class T>

@@ -137,8 +137,11 @@ struct AnalogSteps {
     const Index<T> fresh(static_cast<std::int32_t>(touched_at_birth(world.sea)));
     p.touched =
         transport::touched_at<T>(world.sea, p.photon.layer, select(first, fresh, p.touched));
+    const transport::Photon<T> before = p.photon;
     const Mask<T> stays =
         collide_by_chance(world.sea, p.photon, p.spectral_bin, p.on, u[3], v[0], v[1]);
+    if (world.companion) [[unlikely]]
+      world.companion->collided(before, p.photon, p.on);
     book_out(p, bed & !stays, ledger.sea_bed);
     book_out(p, !stays, ledger.absorbed);
   }
@@ -176,7 +179,7 @@ struct AnalogSteps {
       const Mask<T> fresh = at.meets & (p.photon.order == Index<T>(0));
       if (facet == 0) p.touched = select(fresh, of_surface, p.touched);
     }
-    void emitted(const Mask<T>& by_film) { depth = select(by_film, T(0), depth); }
+    void came_from_film(const Mask<T>& by_film) { depth = select(by_film, T(0), depth); }
     void passes(const Mask<T>& mask, const Vec3<T>& direction, const T&) {
       transport::Photon<T> out = p.photon;
       out.direction = direction;
@@ -187,10 +190,10 @@ struct AnalogSteps {
   /// back. `number`: a uniform.
   void cross_surface(AnalogPhotons<T>& p, const Mask<T>& stand, bool from_outside, const T& number,
                      const T& depth) {
-    const Mask<T> standing = stand;
+    const Mask<T> standing = stand;  // it may be p.on, which changes
     ByChance<T, Ledger> rule{{world, p.place, ledger}, p.spectral_bin, number};
     AtDetectors observer{{}, *this, p, depth};
-    estimator::cross_surface(world.sea.surface, p, standing, from_outside, rule, observer);
+    estimator::cross_surface(world, p, standing, from_outside, rule, observer);
   }
   /// Photons of a mask that have been at the surface fly down from there. `depth`: of the collision
   /// that they come from.
@@ -207,6 +210,8 @@ struct AnalogSteps {
                                            const Mask<T>& flying, const T& number, const T& depth) {
     const transport::Photon<T> before = photon;
     const auto end = transport::fly(world.sea, photon, minus_log(number));
+    if (world.companion) [[unlikely]]
+      world.companion->flown(photon, end.length, flying);
     detect(world, before, touched, flying, end.length, false, depth, tally);
     return end;
   }

@@ -36,7 +36,7 @@ struct ByChance : FacetsOfHistories<T, Ledger, false> {
   void cross_film(Track<T>& t, const Mask<T>& stand, bool from_outside, Observer& observer) const {
     const auto after =
         film_by_chance(this->world.sea, this->place, spectral_bin, stand, from_outside, t.photon);
-    observer.emitted(after.emitted);
+    observer.came_from_film(after.emitted);
     observer.passes(after.up, t.photon.direction, t.photon.weight);
     book_out(t, after.up, this->ledger.escaped);
     book_out(t, stand & !after.down, this->ledger.oil);

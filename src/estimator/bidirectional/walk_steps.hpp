@@ -69,6 +69,8 @@ class WalkSteps {
       free_path =
           free_path * select(first, source_.cone().longer_free_path(before.direction.z), T(1));
     const auto end = transport::fly(sea_, w.photon, free_path);
+    if (world_.companion) [[unlikely]]
+      world_.companion->flown(w.photon, end.length, w.on);
     const T walk_tau = w.leg.walk_tau;
     add_flight(sea_, before, w.photon, end.length, w.leg);
     if (any(first)) {
@@ -88,7 +90,7 @@ class WalkSteps {
     if (!any(stand)) return;
     AtSurface rule{sea_, source_, walks_};
     NoObserver observer;
-    cross_surface(sea_.surface, w, stand, false, rule, observer);
+    cross_surface(world_, w, stand, false, rule, observer);
     w.leg.reflected = w.leg.reflected | (stand & w.on);
   }
 
@@ -208,6 +210,8 @@ class WalkSteps {
     transport::Photon<T> photon = w.photon;
     const auto departure = depart(sea_, photon, world_.inverse_conversion,
                                   {u_[1], u_[2], v[0], v[1]}, walks_.from_telescope());
+    if (world_.companion) [[unlikely]]
+      world_.companion->collided(w.photon, photon, colliding);
     Mask<T> in_water = colliding;
     if (sea_.bed_angles > 0) {
       const Mask<T> bed = surface::on_bed<T>(sea_, w.photon.layer);

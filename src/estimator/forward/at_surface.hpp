@@ -1,6 +1,6 @@
-// The expected scores of light that stands at a rough surface: the surface's own echo, and light
-// that goes from facet to facet. Light that comes there from the water for the first time has been
-// scored at its collision.
+// The forward estimator's photons at the surface. What telescopes expect of light that meets facets
+// is scored there: the surface's own echo, and light that goes from facet to facet. Light that
+// comes there from the water for the first time has been scored at its collision.
 #pragma once
 
 #include "estimator/crossing.hpp"
@@ -110,7 +110,7 @@ void cross_surface(const World<T>& world, ForwardTracks<T>& t, const Mask<T>& st
   SplitsWeight<T, Ledger> rule{{world, t.place, ledger}, Mask<T>(false)};
   if constexpr (Events::tools) rule.lossless = are_forced(world, t.place);
   ScoredAtSurface<Events, T, Ledger> observer{world, t, estimates, tally, ledger, leave};
-  cross_surface(world.sea.surface, t, stand, from_outside, rule, observer);
+  estimator::cross_surface(world, t, stand, from_outside, rule, observer);
 }
 
 }  // namespace photic::estimator

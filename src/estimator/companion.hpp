@@ -1,0 +1,29 @@
+// Something that travels with light, besides its weight.
+#pragma once
+
+#include "transport/photon.hpp"
+
+namespace photic::estimator {
+
+/// Shown what happens to light on its way, photons of a mask at a time: to histories, walks and
+/// analog photons alike.
+template <class T>
+class Companion {
+ public:
+  using Photon = transport::Photon<T>;
+
+  Companion() = default;
+  Companion(const Companion&) = delete;
+  Companion& operator=(const Companion&) = delete;
+  virtual ~Companion() = default;
+
+  /// They have flown so far in the medium [m], to where they are.
+  virtual void flown(const Photon& after, const T& length, const Mask<T>& mask) = 0;
+  /// They have collided; `after`: before weights pay for how directions were drawn.
+  virtual void collided(const Photon& before, const Photon& after, const Mask<T>& mask) = 0;
+  /// They stood at the surface; those that `stay` are in the water.
+  virtual void crossed(const Photon& before, const Photon& after, const Mask<T>& mask,
+                       const Mask<T>& stay) = 0;
+};
+
+}  // namespace photic::estimator
