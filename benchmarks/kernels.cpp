@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "core/random.hpp"
-#include "estimator/model.hpp"
 #include "estimator/make_world.hpp"
+#include "estimator/model.hpp"
 #include "optics/mie.hpp"
 #include "scene/read.hpp"
 #include "transport/connect.hpp"

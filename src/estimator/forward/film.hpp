@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "estimator/book.hpp"
-#include "estimator/companions.hpp"
+#include "estimator/forward/companions.hpp"
 #include "estimator/forward/estimate.hpp"
 #include "estimator/random_blocks.hpp"
 #include "surface/oil.hpp"

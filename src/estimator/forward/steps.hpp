@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <functional>
 
-#include "estimator/companions.hpp"
 #include "estimator/event.hpp"
 #include "estimator/forward/at_surface.hpp"
+#include "estimator/forward/companions.hpp"
 #include "estimator/forward/estimate.hpp"
 #include "estimator/forward/expected_collision.hpp"
 #include "estimator/forward/film.hpp"
