@@ -6,7 +6,7 @@
 namespace photic::estimator {
 
 /// Shown what happens to light on its way, photons of a mask at a time: to histories, walks and
-/// analog photons alike.
+/// analog photons alike. Walks begin in the water; how they came there is not shown.
 template <class T>
 class Companion {
  public:

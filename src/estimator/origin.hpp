@@ -28,10 +28,10 @@ inline double way_ahead(const scene::Source& source) {
 /// one in the air, as such a medium has it (medium/upside_down.hpp).
 inline Vec3<double> origin_of(const scene::Source& source, bool upside_down) {
   const double side = upside_down ? -1 : 1;
-  const auto upright = [&](const Vec3<double>& v) { return Vec3<double>{v.x, v.y, side * v.z}; };
-  const auto axis = upright(normalised(source.direction));
+  const auto in_medium = [&](const Vec3<double>& v) { return Vec3<double>{v.x, v.y, side * v.z}; };
+  const auto axis = in_medium(normalised(source.direction));
   const auto start =
-      source.position_m + geometry::way_ahead(upright(source.position_m), axis) * axis;
+      source.position_m + geometry::way_ahead(in_medium(source.position_m), axis) * axis;
   return {start.x, start.y, 0};
 }
 /// An instrument of a scene, its place relative to the origin.

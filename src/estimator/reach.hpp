@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "geometry/axis.hpp"
 #include "instrument/telescope.hpp"
 #include "medium/medium.hpp"
 #include "scene/scene.hpp"
@@ -23,13 +24,12 @@ inline Reach reach_of(const scene::Scene& scene, const medium::Medium& medium, d
   for (const auto& t : scene.telescope) {
     // The nearest point of a tilted lens: in the air, or in the water.
     const double rise = instrument::lens_rise(t);
-    const bool submerged = t.position_m.z < 0;
-    const double in_water =
-        last_path - above(source) - above(t.position_m.z) + (submerged ? 0 : rise);
+    const bool below = geometry::stands_in_water(t.position_m);
+    const double in_water = last_path - above(source) - above(t.position_m.z) + (below ? 0 : rise);
     const double higher = std::min(depth(source), depth(t.position_m.z));
     const double lower = std::max(depth(source), depth(t.position_m.z));
     const double deepest =
-        std::max(lower, (in_water / min_group_index + higher + lower + (submerged ? rise : 0)) / 2);
+        std::max(lower, (in_water / min_group_index + higher + lower + (below ? rise : 0)) / 2);
     reach = {std::max(reach.deepest, deepest), std::max(reach.range, deepest - higher)};
   }
   reach.deepest = std::min(reach.deepest, medium.top.back());

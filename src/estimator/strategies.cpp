@@ -74,10 +74,10 @@ Strategy free_telescopes(const scene::Scene& scene, const medium::Medium& medium
       out.used = true;
       continue;
     }
-    const bool submerged = t.position_m.z < 0;
-    std::string& names = bound[!rough      ? "in the water, and tilted or with a view to the side"
-                               : submerged ? in_water_under_waves
-                                           : waves_are_wider("the view", surface)];
+    const bool in_water = geometry::stands_in_water(t.position_m);
+    std::string& names = bound[!rough     ? "in the water, and tilted or with a view to the side"
+                               : in_water ? in_water_under_waves
+                                          : waves_are_wider("the view", surface)];
     names += (names.empty() ? "" : ", ") + t.name;
   }
   for (const auto& [reason, names] : bound)

@@ -51,4 +51,10 @@ inline std::span<const Route> routes_to(bool in_air) {
   return {routes, in_air ? std::size_t{1} : std::size_t{2}};
 }
 
+/// Returns whether a route to where an instrument stands meets the surface.
+template <class T>
+bool meets_surface(const Region<T>& region, Route route) {
+  return region.in_air || route == Route::mirrored;
+}
+
 }  // namespace photic::geometry

@@ -182,12 +182,12 @@ Leading<T> transmitting(const WavesView& waves, const Face<T>& face, const T& n1
   Leading<T> out;
   const Vec3<T>& h = out.along = n2 * k2 - n1 * k1;
   const T square = dot(h, h);
-  const Mask<T> upright = abs(h.z) > T(0);
-  out.slope = slope_across(waves, Vec3<T>{h.x, h.y, select(upright, h.z, T(1))});
+  const Mask<T> has_slope = abs(h.z) > T(0);
+  out.slope = slope_across(waves, Vec3<T>{h.x, h.y, select(has_slope, h.z, T(1))});
   const Facet<T> facet = facet_of(waves, out.slope);
   const T cos1 = dot(k1, facet.normal), cos2 = dot(k2, facet.normal);
   const T v = visibility(k1, facet);
-  const Mask<T> passes = upright & (cos1 * cos2 > T(0)) & (v > T(0));
+  const Mask<T> passes = has_slope & (cos1 * cos2 > T(0)) & (v > T(0));
   const T nz = facet.normal.z;
   const T through = face.shares(n1, n2, T(abs(cos1)), T(abs(cos2))).transmittance;
   const T value = v * through * n2 * n2 * abs(cos2) / (select(passes, square, T(1)) * nz * nz * nz);

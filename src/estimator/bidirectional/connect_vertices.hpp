@@ -43,7 +43,8 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
   if (!any(may_be_seen)) return;
   const Vec3<T> at = in_space(telescope_, birth.lens);
   for (const auto route : geometry::routes_to(receiver_.region.in_air)) {
-    if (!sea_.surface.one_direction_each && route == geometry::Route::mirrored) return;
+    if (!sea_.surface.one_direction_each && geometry::meets_surface(receiver_.region, route))
+      return;
     const auto way =
         geometry::sightline(sea_, v.position, line, at, receiver_.region, route, may_be_seen);
     score_to_telescope(pairing, v, way,
@@ -193,7 +194,8 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>
   const Vec3<T> vertex = fictitious_vertex(laser);
   for (const auto route : geometry::routes_to(world_.laser_region.in_air)) {
     // Light that facets of waves send down to a vertex is left to the laser's walks.
-    if (!sea_.surface.one_direction_each && route == geometry::Route::mirrored) return;
+    if (!sea_.surface.one_direction_each && geometry::meets_surface(world_.laser_region, route))
+      return;
     const auto way =
         geometry::sightline(sea_, w.position, line, vertex, world_.laser_region, route, wanted);
     score_to_laser(pairing, w, way, way_to_laser(wanted, w.position, w.layer, way));

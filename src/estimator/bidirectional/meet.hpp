@@ -192,7 +192,7 @@ std::array<Vec3<T>, 2> horizontal_offset(const DepthLine<T>& back, const DepthLi
       Vec3<T>{laser.x_per_depth - back.x_per_depth, laser.y_per_depth - back.y_per_depth, T(0)}};
 }
 
-/// Under an upright lens. `lens`: where the walk came through it; `last_path`: of both walks
+/// Under a lens that lies level. `lens`: where the walk came through it; `last_path`: of both walks
 /// together [m].
 template <class T>
 Chord<T> chord(const DepthLine<T>& laser, const DepthLine<T>& back,

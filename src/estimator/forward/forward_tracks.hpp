@@ -58,8 +58,7 @@ struct ForwardTracks : Track<T> {
 /// Returns whether a route to a region leads by waves.
 template <class T>
 bool by_waves(const World<T>& world, const geometry::Region<T>& region, geometry::Route route) {
-  return !world.sea.surface.one_direction_each &&
-         (region.in_air || route == geometry::Route::mirrored);
+  return !world.sea.surface.one_direction_each && geometry::meets_surface(region, route);
 }
 
 /// Returns whether a group of telescopes may see a point, by the points of the lenses that take
