@@ -12,9 +12,9 @@ struct SurfaceTraits {
   /// A point of it leads light from anywhere to anywhere: it scatters in two dimensions. A surface
   /// that does neither scatters in a plane.
   bool leads_anywhere = false;
-  bool isotropic = true;  ///< alike to all sides, also in environments
-  bool emits = false;     ///< light at wavelengths of its own that a channel counts
-  bool absorbs = false;   ///< a part of the light that comes to it
+  bool isotropic = true;                 ///< alike to all sides, also in environments
+  bool emits = false;                    ///< light at wavelengths of its own that a channel counts
+  bool absorbs = false;                  ///< a part of the light that comes to it
   bool differs_in_environments = false;  ///< so that meetings with it are to be known
 };
 
