@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -49,7 +50,8 @@ class Walks {
         first_on_bed_(sea.bed_angles > 0 ? walks : 0) {
     if (sea.environments.count > 0) ratios_.emplace(sea, walks * stride);
     if (!sea.surface.one_direction_each)
-      facets_.emplace(walks, walks * stride, from_telescope && facets_have_sides_);
+      facets_ = std::make_unique<FacetRecords<T>>(walks, walks * stride,
+                                                  from_telescope && facets_have_sides_);
   }
 
   // Written by walkers, in the lanes of a mask.
@@ -154,7 +156,7 @@ class Walks {
   [[nodiscard]] bool from_telescope() const { return from_telescope_; }
   [[nodiscard]] bool through_surface() const { return through_surface_; }
   /// Returns whether facets of the surface send light on.
-  [[nodiscard]] bool has_facets() const { return facets_.has_value(); }
+  [[nodiscard]] bool has_facets() const { return facets_ != nullptr; }
 
   // Values of one walk.
   [[nodiscard]] std::int32_t rays(std::size_t walk) const { return rays_[walk]; }
@@ -384,7 +386,7 @@ class Walks {
   lanes::Records<T, NearFirst<T>> near_first_;
   lanes::Records<T, FreeArea<T>> free_area_;
   lanes::Records<T, RotatedMeeting<T>> rotated_first_;
-  std::optional<FacetRecords<T>> facets_;
+  std::unique_ptr<FacetRecords<T>> facets_;  ///< where facets of the surface send light on
   std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_, telescope_,
       line_;                                ///< of each walk
   std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many

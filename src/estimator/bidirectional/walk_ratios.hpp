@@ -55,9 +55,9 @@ class WalkRatios {
   }
   /// They have left by a ray, to a vertex where they collide, and go on by the `next` one, in its
   /// slot. `back`: they are telescopes'.
-  PHOTIC_APART void collided(const medium::MediumView& sea, const WalkPoint<T>& left,
-                             WalkPoint<T> vertex, WalkPoint<T> next, bool back, Index<T> slot,
-                             Index<T> vertices, Mask<T> mask) {
+  PHOTIC_APART void collided(const medium::MediumView& sea, Ray<T> left, Vertex<T> vertex,
+                             Ray<T> next, bool back, Index<T> slot, Index<T> vertices,
+                             Mask<T> mask) {
     Terms<T> way, collision;
     add_leg(sea, left, vertex, way);
     add_encounter(sea,

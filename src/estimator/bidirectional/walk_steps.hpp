@@ -240,7 +240,7 @@ class WalkSteps {
       w.axis = select(pivots, {Mask<T>(true), vertex_.position.x, vertex_.position.y}, w.axis);
     }
     if (auto* ratios = walks_.ratios()) [[unlikely]]
-      ratios->collided(sea_, WalkPoint<T>(w.ray), vertex_, ray, walks_.from_telescope(),
+      ratios->collided(sea_, w.ray, vertex_, ray, walks_.from_telescope(),
                        Walks<T>::slot(w.walk, w.vertices), w.vertices, colliding);
     lanes::assign<T>(colliding, ray, w.ray);
     w.leg = select(colliding, Leg<T>{}, w.leg);

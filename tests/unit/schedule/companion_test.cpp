@@ -126,8 +126,7 @@ void expect_the_ledgers_sums(const Case& c) {
 }
 
 // Seen red: without the call in WalkSteps::fly(); in leave_vertex(); in Companions::flown(); in
-// Companions::collided(); in AnalogSteps::collide(); in fly_to_detectors(); in cross_surface();
-// with flights that go past the surface.
+// Companions::collided(); in AnalogSteps::collide(); in fly_to_detectors(); in cross_surface().
 TEST(Companions, FindTheLedgersSums) {
   const std::string flat = R"("flat")", waves = R"("cox-munk", wind_speed_m_s = 5.0)";
   for (const Case& c : {Case{"forward", flat, "12.0"}, Case{"forward", waves, "12.0"},
