@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "estimator/bidirectional/connection_end.hpp"
@@ -295,7 +296,7 @@ inline Walks<double> laser_walk(const World<double>& world, const Samples<double
   }
   if (leaves && path.facets(vertices))
     writer.come_back(*path.facets(vertices), path.x(vertices + 1));
-  return writer.walks;
+  return std::move(writer.walks);
 }
 /// One that comes to the path's first vertex.
 inline Walks<double> laser_walk(const World<double>& world, const Samples<double>& samples,
@@ -327,7 +328,7 @@ inline Walks<double> telescope_walk(const World<double>& world, const Samples<do
   }
   if (leaves && path.facets(k - vertices))
     writer.come_back(*path.facets(k - vertices), path.x(k - vertices));
-  return writer.walks;
+  return std::move(writer.walks);
 }
 /// One that comes from the path's last vertex, and meets others at a grid's depths from
 /// `grid_offset` on.
