@@ -69,19 +69,19 @@ struct Engine<Lanes> {
 };
 
 template <class T>
-void follow_light(const estimator::World<T>& world, std::uint64_t photons,
-                  tally::BatchTally& tally) {
+void follow_light(const estimator::World<T>& world, std::uint64_t first, tally::BatchTally& tally) {
+  const std::uint64_t photons = world.batch_photons;
   using Ledger = typename Engine<T>::Ledger;
   estimator::AnalogPassed<T> none;
   switch (world.estimator) {
     case scene::Estimator::analog:
-      estimator::Analog<T, Ledger>(world, tally, none).run(0, photons, [](const auto&...) {});
+      estimator::Analog<T, Ledger>(world, tally, none).run(first, photons, [](const auto&...) {});
       break;
     case scene::Estimator::bidirectional:
-      estimator::Bidirectional<T, Ledger>(world, 1).run(0, photons, tally);
+      estimator::Bidirectional<T, Ledger>(world, 1).run(first, photons, tally);
       break;
     default:
-      typename Engine<T>::Histories(world).run(0, photons, tally, nullptr);
+      typename Engine<T>::Histories(world).run(first, photons, tally, nullptr);
   }
 }
 
@@ -109,7 +109,8 @@ void expect_the_ledgers_sums(const Case& c) {
   Counter<T> counter(world.sea);
   accompany(world, counter);
   tally::BatchTally tally(model.shape, model.gates);
-  follow_light(world, 4000, tally);
+  for (std::uint64_t first = 0; first < 4000; first += world.batch_photons)
+    follow_light(world, first, tally);
   const tally::Ledger& ledger = tally.ledger;
   EXPECT_EQ(ledger.cut_by_time, 0);
   EXPECT_GT(counter.crossings, 50);
