@@ -1,12 +1,12 @@
-// Something that travels with light, besides its weight.
+// A companion of light, besides its weight.
 #pragma once
 
 #include "transport/photon.hpp"
 
 namespace photic::estimator {
 
-/// Shown what happens to light on its way, photons of a mask at a time: to histories, walks and
-/// analog photons alike. Walks begin in the water; how they came there is not shown.
+/// An object that is shown the events of light, photons of a mask at a time: of histories, walks
+/// and analog photons alike. Walks begin in the water; how they came there is not shown.
 template <class T>
 class Companion {
  public:

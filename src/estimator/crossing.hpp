@@ -19,7 +19,7 @@
 
 namespace photic::estimator {
 
-/// Shown nothing that happens at a surface.
+/// An observer that takes no notice.
 struct NoObserver {
   template <class T>
   [[nodiscard]] Mask<T> emit(const Mask<T>&, const surface::AtFilm<T>&, const T&, std::uint32_t) {

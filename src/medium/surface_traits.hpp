@@ -1,5 +1,5 @@
-// What the sea surface does to light. Whoever follows light asks these properties, and not which
-// surface it is.
+// The properties of the sea surface by which it changes light. Code that follows light asks for
+// these, and not which surface it is.
 #pragma once
 
 namespace photic::medium {

@@ -168,7 +168,7 @@ struct AnalogSteps {
     passed.push_back(gone);
     book(ledger.escaped, leaving, T(0) - out.weight);  // it has not
   }
-  /// Shown what happens to photons at the surface.
+  /// The observer of photons at the surface.
   struct AtDetectors : NoObserver {
     AnalogSteps& steps;
     AnalogPhotons<T>& p;

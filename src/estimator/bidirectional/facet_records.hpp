@@ -1,4 +1,4 @@
-// What walks keep of a surface whose facets send light on.
+// The records that walks keep of a surface whose facets send light on.
 #pragma once
 
 #include <cstddef>

@@ -64,7 +64,7 @@ PHOTIC_APART void score_at_surface(const World<T>& world, const ForwardTracks<T>
   }
 }
 
-/// Has telescopes score what happens to photons at the surface. `leave`: see pass_surface().
+/// The observer that scores the events of photons at the surface. `leave`: see pass_surface().
 template <class Events, class T, class Ledger>
 struct ScoredAtSurface {
   const World<T>& world;

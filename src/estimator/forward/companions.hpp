@@ -1,4 +1,4 @@
-// What travels with a history's light, and changes by what happens to it: its weight in
+// The companions of a history's light, which change by the events of its way: its weight in
 // environments, and a world's Companion. These functions are called at the same points of every
 // event. Where nothing travels with the light (PlainEvents) they cost nothing.
 #pragma once

@@ -1,4 +1,4 @@
-// Something that travels with all light of a world: it is shown every flight, collision and
+// A companion of all light of a world: it is shown every flight, collision and
 // crossing of histories, walks and analog photons, one by one and in lanes. It finds what the
 // ledger has.
 #include "core/pack.hpp"  // before all that is made of lanes
