@@ -39,13 +39,14 @@ BENCHMARK(philox);
 
 void phase_sample(benchmark::State& state) {
   Setting s;
-  for (auto _ : state) benchmark::DoNotOptimize(s.world.sea.phases.sample<double>(s.draw()[0]));
+  for (auto _ : state) benchmark::DoNotOptimize(s.world.slabs.phases.sample<double>(s.draw()[0]));
 }
 BENCHMARK(phase_sample);
 
 void phase_value(benchmark::State& state) {
   Setting s;
-  for (auto _ : state) benchmark::DoNotOptimize(s.world.sea.phases.value<double>(2 * s.draw()[0]));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(s.world.slabs.phases.value<double>(2 * s.draw()[0]));
 }
 BENCHMARK(phase_value);
 
@@ -53,7 +54,7 @@ void free_flight(benchmark::State& state) {
   Setting s;
   for (auto _ : state) {
     auto photon = s.photon;
-    benchmark::DoNotOptimize(transport::fly(s.world.sea, photon, minus_log(s.draw()[0])));
+    benchmark::DoNotOptimize(transport::fly(s.world.slabs, photon, minus_log(s.draw()[0])));
     benchmark::DoNotOptimize(photon);
   }
 }
@@ -75,9 +76,9 @@ void connection(benchmark::State& state) {
   s.photon.position.x = 0.1 * static_cast<double>(state.range(0));
   for (auto _ : state) {
     const bool may_be_seen =
-        transport::may_see(s.world.sea, s.world.telescopes[0], s.photon.position, 0);
-    benchmark::DoNotOptimize(transport::connect_through_surface(s.world.sea, s.world.telescopes[0],
-                                                                s.photon, 0, may_be_seen));
+        transport::may_see(s.world.slabs, s.world.instruments.telescopes[0], s.photon.position, 0);
+    benchmark::DoNotOptimize(transport::connect_through_surface(
+        s.world.slabs, s.world.instruments.telescopes[0], s.photon, 0, may_be_seen));
   }
 }
 BENCHMARK(connection)->Arg(0)->Arg(2)->Arg(50);

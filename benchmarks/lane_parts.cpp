@@ -25,7 +25,7 @@ struct Setting {
     return make_model(scene);
   }();
   World<Lanes> world = make_world<Lanes>(model);
-  const geometry::Slabs& sea = world.sea;
+  const geometry::Slabs& sea = world.slabs;
   Draws<Lanes> draws = draws_of_laser(world, 0);
   std::array<Index<Lanes>, packs> n;
   std::array<std::array<Lanes, 4>, packs> u;
@@ -35,7 +35,7 @@ struct Setting {
   Setting() {
     for (std::size_t k = 0; k < packs; ++k) {
       n[k] = Index<Lanes>(lanes_of<Lanes> * k) + lane_numbers<Lanes>();
-      u[k] = uniforms<Lanes>(world.key, draws.photon(n[k]), Index<Lanes>(1), 0);
+      u[k] = uniforms<Lanes>(world.random.key, draws.photon(n[k]), Index<Lanes>(1), 0);
       photon[k].position = {Lanes(0.1), Lanes(0.1), Lanes(-5) + u[k][0]};
       photon[k].direction = turned(Vec3<Lanes>{Lanes(0), Lanes(0), Lanes(-1)}, Lanes(0.3) * u[k][0],
                                    Lanes(0.6), Lanes(0.8));
@@ -61,7 +61,7 @@ void register_parts() {
     benchmark::RegisterBenchmark(name, [part](benchmark::State& state) { parts(state, part); });
   };
   add("philox", [](Setting& s, std::size_t k) {
-    return uniforms<Lanes>(s.world.key, s.draws.photon(s.n[k]), Index<Lanes>(1), 0);
+    return uniforms<Lanes>(s.world.random.key, s.draws.photon(s.n[k]), Index<Lanes>(1), 0);
   });
   add("spread_points", [](Setting& s, std::size_t k) {
     return s.draws.together(static_cast<std::int32_t>(lanes_of<Lanes> * k), 1, 0);
@@ -82,9 +82,10 @@ void register_parts() {
     return photon;
   });
   add("local_estimate", [](Setting& s, std::size_t k) {
-    return transport::connect_ray(s.sea, s.world.telescopes[0], s.world.telescope_region[0],
-                                  s.photon[k], s.zero, {Lanes(0.05), Lanes(0.02)},
-                                  geometry::Route::direct, Mask<Lanes>(true));
+    return transport::connect_ray(s.sea, s.world.instruments.telescopes[0],
+                                  s.world.instruments.telescope_region[0], s.photon[k], s.zero,
+                                  {Lanes(0.05), Lanes(0.02)}, geometry::Route::direct,
+                                  Mask<Lanes>(true));
   });
 }
 

@@ -10,7 +10,7 @@
 namespace photic::estimator {
 
 /// The instruments of a scene.
-struct Instruments {
+struct GivenInstruments {
   scene::Source source;
   std::vector<scene::Telescope> telescope;
 };

@@ -13,12 +13,6 @@
 
 namespace photic::estimator {
 
-/// Instruments are counted from the laser on, behind which the telescopes stand.
-inline constexpr std::int32_t of_laser = 0;
-inline std::int32_t of_telescope(std::size_t telescope) {
-  return 1 + static_cast<std::int32_t>(telescope);
-}
-
 /// Means as walks look them up: against x = 1 - cos of the angle to the cone's axis, straight lines
 /// in equal cells of each octave of x, and of 2 - x behind 90 degrees.
 struct AveragedPhases {

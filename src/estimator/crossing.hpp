@@ -84,11 +84,11 @@ struct FacetsOfHistories {
   Mask<T> begin_facet(const surface::WavesView& waves, const transport::Photon<T>& photon,
                       const At& at, std::uint32_t facet, Observer& observer) const {
     observer.about_to_meet(at, facet);
-    if (!world.sea.surface.emits) return Mask<T>(false);
+    if (!world.slabs.surface.emits) return Mask<T>(false);
     const auto u = uniforms(place, facet_blocks[facet]);  // of the facet that is met
     const auto by = transport::facet_met(waves, photon.direction, u[0], u[1]);
     return observer.emit(Mask<T>(at.meets & (by.gain > T(0))),
-                         surface::AtFilm<T>{at.in_air, photon.direction, by.facet.normal}, by.gain,
+                         surface::AtFilm<T>{at.outside, photon.direction, by.facet.normal}, by.gain,
                          facet);
   }
   auto meet(const surface::RoughSurface<T>& surface, transport::Photon<T>& photon, At& at,
@@ -112,7 +112,7 @@ struct FacetsOfHistories {
   template <class Observer>
   PHOTIC_APART void cross_facets(Track<T>& t, const Mask<T>& stand, bool from_outside,
                                  Observer& observer) {
-    const auto surface = surface::rough_surface<T>(world.sea, t.photon.line);
+    const auto surface = surface::rough_surface<T>(world.slabs, t.photon.line);
     At at{stand, Mask<T>(from_outside)};
     const Mask<T> in_water = meet_facets(surface, t.photon, at, *this, observer);
     book(ledger.lost, at.meets, t.photon.weight);
@@ -127,14 +127,14 @@ struct SplitsWeight : FacetsOfHistories<T, Ledger, true> {
 
   template <class Observer>
   void cross_flat(Track<T>& t, const Mask<T>& stand, bool from_outside, Observer& observer) const {
-    cross_by_shares(this->world.sea, t, stand, from_outside, lossless, this->ledger, observer);
+    cross_by_shares(this->world.slabs, t, stand, from_outside, lossless, this->ledger, observer);
   }
   /// Some go on as light that the film emits.
   template <class Observer>
   PHOTIC_APART void cross_film(Track<T>& t, const Mask<T>& stand, bool from_outside,
                                Observer& observer) const {
     Mask<T> crosses = stand;
-    if (this->world.sea.surface.emits)
+    if (this->world.slabs.surface.emits)
       crosses =
           stand & !observer.emit(stand,
                                  surface::AtFilm<T>{
@@ -240,7 +240,7 @@ void cross_surface(const World<T>& world, Tracks& t, const Mask<T>& stand, bool 
   transport::Photon<T> before;
   if (world.companion) [[unlikely]]
     before = t.photon;
-  const auto& surface = world.sea.surface;
+  const auto& surface = world.slabs.surface;
   if (!surface.one_direction_each) [[unlikely]] {
     rule.cross_facets(t, stand, from_outside, observer);
   } else if (surface.absorbs) [[unlikely]] {

@@ -18,7 +18,7 @@ struct Rays {
   Vec3<double> position, axis;
   double half_angle;
   std::size_t lines;  ///< so many of the medium's
-  bool in_air;        ///< the instrument, wherever its light spreads from
+  bool outside;       ///< the instrument, wherever its light spreads from
 
   [[nodiscard]] bool vertical() const { return axis.x == 0 && axis.y == 0; }
 };
@@ -37,7 +37,7 @@ void each_ray(const Rays& rays, const medium::Medium& medium, F f) {
     for (int j = 0; j < azimuths; ++j) {
       const double azimuth = 2 * pi * j / azimuths;
       auto outside = turned(rays.axis, x, std::cos(azimuth), std::sin(azimuth));
-      if (rays.in_air && outside.z > -horizon) {
+      if (rays.outside && outside.z > -horizon) {
         outside.z = 0;
         const double level = length(outside);
         if (level == 0) continue;
@@ -46,7 +46,7 @@ void each_ray(const Rays& rays, const medium::Medium& medium, F f) {
       for (std::size_t l = 0; l < rays.lines; ++l) {
         const double n = medium.line[l].refractive_index;
         f(outside,
-          rays.in_air
+          rays.outside
               ? Vec3<double>{outside.x / n, outside.y / n, -geometry::cosine_in_water(outside.z, n)}
               : outside,
           l);
@@ -63,8 +63,8 @@ constexpr double between = 1 + 1e-4;
 Spot<double> spot_of(const Rays& rays, const medium::Medium& medium, const Vec3<double>& in_water,
                      double deepest, const std::function<double(const Vec3<double>&)>& path) {
   Spot<double> spot;
-  const double height = rays.in_air ? rays.position.z : 0;
-  const Vec3<double> axis = rays.axis.z < 0 || !rays.in_air ? rays.axis : Vec3<double>{0, 0, -1};
+  const double height = rays.outside ? rays.position.z : 0;
+  const Vec3<double> axis = rays.axis.z < 0 || !rays.outside ? rays.axis : Vec3<double>{0, 0, -1};
   spot.x = rays.position.x + height * axis.x / -axis.z;
   spot.y = rays.position.y + height * axis.y / -axis.z;
   spot.x_per_depth = in_water.x / -in_water.z;
@@ -88,7 +88,7 @@ Spot<double> spot_of(const Rays& rays, const medium::Medium& medium, const Vec3<
   spot.radius *= between;
   spot.radius_per_depth *= between;
   const double way_down =  // in the water perhaps by the surface
-      deepest + (rays.in_air ? 0 : std::abs(rays.position.z));
+      deepest + (rays.outside ? 0 : std::abs(rays.position.z));
   spot.max_shorter = most - spot.min_path + way_down * (max_per_depth - spot.min_path_per_depth);
   return spot;
 }
@@ -114,7 +114,7 @@ void set_rings(double one_minus_cos, std::vector<std::pair<double, double>> inne
 
 /// 1 - cos of the half angle of a cone in the water about an axis that holds all rays.
 double widest_in_water(const Rays& rays, const medium::Medium& medium, const Vec3<double>& axis) {
-  if (!rays.in_air) return one_minus_cos_of(rays.half_angle);
+  if (!rays.outside) return one_minus_cos_of(rays.half_angle);
   double widest = 0;
   each_ray(rays, medium, [&](const Vec3<double>&, const Vec3<double>& u, std::size_t) {
     widest = std::max(widest, one_minus_cos(u, axis));
@@ -124,9 +124,9 @@ double widest_in_water(const Rays& rays, const medium::Medium& medium, const Vec
 
 EntryCone<double> cone_of(const Rays& rays, const medium::Medium& medium) {
   EntryCone<double> cone;
-  cone.in_air = rays.in_air;
+  cone.begins_outside = rays.outside;
   cone.outside = rays.axis;
-  if (!cone.in_air) {
+  if (!cone.begins_outside) {
     cone.axis = rays.axis;
     cone.steep = std::abs(rays.axis.z);
     // Some points of a tilted instrument are deeper than others; and flat rays come far by little
@@ -179,7 +179,7 @@ Rays rays_of(const scene::Source& source) {
 
 /// The ways that paths of an instrument in the medium leave out.
 geometry::Ahead ahead_in(const medium::Medium& medium, const Rays& rays) {
-  if (!medium.upside_down) return {};
+  if (medium.kind == medium::MediumKind::water) return {};
   return geometry::ahead_of_air(rays.position, rays.axis, medium.air_m);
 }
 
@@ -190,7 +190,7 @@ EntryCone<double> own_rays(const Rays& rays, const medium::Medium& medium,
   cone.by_depth = false;
   cone.exact = true;
   set_rings(rays, inner, medium, cone);
-  if (!medium.view().surface.one_direction_each && !cone.in_air)
+  if (!medium.view().surface.one_direction_each && !cone.begins_outside)
     begin_some_at_facets(rays.half_angle, cone);
   return cone;
 }
@@ -222,11 +222,11 @@ EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Me
   cone.exact = cone.exact && t.per_sharp_range == 0;
   const double left_out = ahead_in(medium, rays).to_sea > 0 ? t.distance : 0;
   cone.spot = spot_of(rays, medium, cone.axis, deepest, [&](const Vec3<double>& outside) {
-    return rays.in_air ? rays.position.z / -outside.z - t.distance : -left_out;
+    return rays.outside ? rays.position.z / -outside.z - t.distance : -left_out;
   });
   // From points of a tilted lens that are lower, or farther aside of the axis.
   const double rise = instrument::lens_rise(telescope);
-  if (rays.in_air && rise > 0) {
+  if (rays.outside && rise > 0) {
     cone.spot.radius *= 1 + rise / rays.position.z;
     const double shorter = rise / std::max(0.05, -t.axis.z);
     cone.spot.min_path -= 2 * shorter;
@@ -243,12 +243,12 @@ EntryCone<double> entry_cone(const scene::Source& source, const medium::Medium& 
   set_rings(rays, {}, medium, cone);
   Rays from_vertex = rays;
   from_vertex.position = fictitious_vertex(laser);
-  if (rays.in_air && geometry::stands_in_water(from_vertex.position))
+  if (rays.outside && geometry::stands_in_water(from_vertex.position))
     from_vertex.position = rays.position;  // not used
   const geometry::Ahead left_out = ahead_in(medium, rays);
   cone.spot = spot_of(from_vertex, medium, cone.axis, deepest, [&](const Vec3<double>& outside) {
     const double secant = 1 / dot(outside, laser.axis);
-    if (!rays.in_air) return -(laser.vertex_distance * secant + left_out.length + left_out.to_sea);
+    if (!rays.outside) return -(laser.vertex_distance * secant + left_out.length + left_out.to_sea);
     // The excess of the way from the disc on over the axis' own to its start.
     return from_vertex.position.z / -outside.z - laser.vertex_distance * secant - laser.ahead;
   });

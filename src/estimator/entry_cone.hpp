@@ -46,7 +46,7 @@ struct EntryCone {
   std::array<EntryRing<T>, max_rings> ring;  ///< from the axis outwards
   std::size_t rings = 1;
   T steep{1};  ///< cosine of the axis to the vertical, > 0
-  bool in_air = false;
+  bool begins_outside = false;
   bool even_outside = false;  ///< rays lie evenly about `outside`, else in the water about `axis`
   bool by_depth =
       false;           ///< depths of first vertices are drawn as along the axis, whatever the ray
@@ -93,7 +93,7 @@ struct EntryCone {
   /// `outside`: the ray, away from the instrument.
   T solid_angle_outside(const T& n, const Vec3<T>& water, const Vec3<T>& outside) const {
     using std::abs;
-    const bool about_outside = !in_air || even_outside;
+    const bool about_outside = !begins_outside || even_outside;
     T here = ring[0].solid_angle;
     if (rings > 1)
       here = solid_angle_at(about_outside ? photic::one_minus_cos(outside, this->outside)
@@ -152,7 +152,7 @@ EntryRay<T> entry_ray_outside(const EntryCone<T>& cone, const T& n, const Vec3<T
                               const Vec3<T>& off_axis) {
   EntryRay<T> ray{outside, outside, off_axis, cone.solid_angle_outside(n, outside, outside),
                   Mask<T>(true)};
-  if (!cone.in_air) return ray;
+  if (!cone.begins_outside) return ray;
   ray.exists = outside.z < T(0);
   ray.direction = refracted_down(outside, n);
   return ray;
@@ -163,7 +163,7 @@ template <class T>
 EntryRay<T> entry_ray(const EntryCone<T>& cone, const T& n, const T& n_axis,
                       const Vec3<T>& direction, const Vec3<T>& off_axis) {
   using std::sqrt;
-  if (!cone.in_air) return entry_ray_outside(cone, n, direction, off_axis);
+  if (!cone.begins_outside) return entry_ray_outside(cone, n, direction, off_axis);
   EntryRay<T> ray;
   ray.direction = direction;
   const T x = n * direction.x, y = n * direction.y;
@@ -251,7 +251,7 @@ EntryCone<T> cone_cast(const EntryCone<double>& c) {
     out.ring[k] = {T(c.ring[k].one_minus_cos), T(c.ring[k].up_to), T(c.ring[k].solid_angle)};
   out.rings = c.rings;
   out.steep = T(c.steep);
-  out.in_air = c.in_air;
+  out.begins_outside = c.begins_outside;
   out.even_outside = c.even_outside;
   out.by_depth = c.by_depth;
   out.exact = c.exact;

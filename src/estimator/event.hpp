@@ -46,7 +46,7 @@ void book_out(Track<T>& t, const Mask<T>& gone, Account& account) {
 
 /// The places touched by light that sets out in a medium.
 inline transport::Touched touched_at_birth(const medium::MediumView& sea) {
-  return sea.upside_down ? transport::Touched::air : transport::Touched::water;
+  return sea.kind == medium::MediumKind::air ? transport::Touched::air : transport::Touched::water;
 }
 
 /// Has light of a mask leave the laser, by two uniforms. Light that stands in the water, or has
@@ -54,12 +54,13 @@ inline transport::Touched touched_at_birth(const medium::MediumView& sea) {
 template <class T, class Ledger>
 void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
                     const Mask<T>& exist, Track<T>& t, Ledger& ledger) {
-  t.photon = transport::emit(world.laser, world.laser_region.layer, u_polar, u_azimuth);
-  t.touched = Index<T>(static_cast<std::int32_t>(touched_at_birth(world.sea)));
+  t.photon = transport::emit(world.instruments.laser, world.instruments.laser_region.layer, u_polar,
+                             u_azimuth);
+  t.touched = Index<T>(static_cast<std::int32_t>(touched_at_birth(world.slabs)));
   t.on = exist;
-  if (!world.laser_region.in_air) return;
+  if (!world.instruments.laser_region.outside) return;
   const T emitted = t.photon.weight;
-  const Mask<T> comes = transport::come_down(world.laser_region, t.photon);
+  const Mask<T> comes = transport::come_down(world.instruments.laser_region, t.photon);
   book(ledger.escaped, exist, select(comes, emitted - t.photon.weight, emitted));
   t.on = exist & comes;
 }

@@ -50,7 +50,7 @@ struct Model {
   std::vector<AirTables> air_tables;
   std::vector<medium::OtherAir> other_airs;  ///< of scenes with air and environments
   geometry::ApparentPath apparent_path;
-  Instruments as_given;  ///< as in the scene file
+  GivenInstruments as_given;  ///< as in the scene file
 };
 
 /// The check of a scene's optics, for scene::read_scene: whatever make_model would refuse. The

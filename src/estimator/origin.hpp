@@ -24,10 +24,10 @@ namespace photic::estimator {
 inline double way_ahead(const scene::Source& source) {
   return geometry::way_ahead(source.position_m, normalised(source.direction));
 }
-/// The point of the surface above or below the one where a laser's light starts. `upside_down`: of
-/// one in the air, as such a medium has it (medium/upside_down.hpp).
-inline Vec3<double> origin_of(const scene::Source& source, bool upside_down) {
-  const double side = upside_down ? -1 : 1;
+/// The point of the surface above or below the one where a laser's light starts, in a medium of
+/// that kind.
+inline Vec3<double> origin_of(const scene::Source& source, medium::MediumKind kind) {
+  const double side = kind == medium::MediumKind::air ? -1 : 1;
   const auto in_medium = [&](const Vec3<double>& v) { return Vec3<double>{v.x, v.y, side * v.z}; };
   const auto axis = in_medium(normalised(source.direction));
   const auto start =

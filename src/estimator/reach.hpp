@@ -10,6 +10,16 @@
 
 namespace photic::estimator {
 
+/// The extremes of a medium's lines.
+struct GroupIndices {
+  double least, greatest;
+};
+inline GroupIndices group_indices(const medium::Medium& medium) {
+  const auto [least, greatest] =
+      std::ranges::minmax(medium.line, {}, [](const auto& line) { return line.group_index; });
+  return {least.group_index, greatest.group_index};
+}
+
 /// The greatest depth where light can turn back within the last gate, and its distance below the
 /// instruments.
 struct Reach {

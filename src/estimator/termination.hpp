@@ -13,10 +13,10 @@ namespace photic::estimator {
 
 /// Returns whether light from here can still be in a telescope within the last gate.
 template <class T>
-Mask<T> in_time(const World<T>& world, const transport::Photon<T>& photon) {
+Mask<T> in_time(const Instruments<T>& instruments, const transport::Photon<T>& photon) {
   Mask<T> in_time(false);
-  for (const Deadline<T>& deadline : world.deadlines)
-    in_time = in_time | deadline.is_met(photon, world.min_group_index);
+  for (const Deadline<T>& deadline : instruments.deadlines)
+    in_time = in_time | deadline.is_met(photon, instruments.min_group_index);
   return in_time;
 }
 

@@ -86,7 +86,7 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
   WalkCones out;
   out.free_laser = meetings(scene, strategies.free_laser, asked.free_laser_meetings);
   out.free_telescope = meetings(scene, strategies.free_telescope, asked.free_telescope_meetings);
-  const Vec3<double> origin = origin_of(scene.source, medium.upside_down);
+  const Vec3<double> origin = origin_of(scene.source, medium.kind);
   const auto source = from_origin(scene.source, origin);
   const bool rough = !medium.view().surface.one_direction_each;
   const auto through_waves = [&](const auto& instrument) {

@@ -18,12 +18,13 @@ struct AirColumn {
   [[nodiscard]] bool exists() const { return optical_depth.size > 0; }
 };
 
-/// The region where something stands: in the air above the surface, or in a layer of the water.
+/// The region where something stands: inside the medium whose light is followed, in one of its
+/// layers, or outside, beyond the sea surface.
 template <class T>
 struct Region {
-  bool in_air = false;
-  Index<T> layer{};  ///< if it stands in the water
-  AirColumn air{};   ///< below what stands in the air
+  bool outside = false;
+  Index<T> layer{};  ///< of what stands inside
+  AirColumn air{};   ///< between the sea and what stands outside
 
   /// The share of a line's light that gets between there and the sea without meeting the air.
   /// `cosine`: of its direction to the vertical, above 0.
@@ -40,21 +41,21 @@ struct Region {
   }
 };
 
-/// A sequence of interfaces that light may take from the water to where an instrument stands.
+/// A sequence of interfaces that light may take from the medium to where an instrument stands.
 enum class Route {
-  direct,   ///< straight, through the surface if the instrument stands in the air
-  mirrored  ///< within the water, reflected by the surface from below
+  direct,   ///< straight, through the surface if the instrument stands outside
+  mirrored  ///< within the medium, reflected by the surface
 };
 
-inline std::span<const Route> routes_to(bool in_air) {
+inline std::span<const Route> routes_to(bool outside) {
   static constexpr Route routes[] = {Route::direct, Route::mirrored};
-  return {routes, in_air ? std::size_t{1} : std::size_t{2}};
+  return {routes, outside ? std::size_t{1} : std::size_t{2}};
 }
 
 /// Returns whether a route to where an instrument stands meets the surface.
 template <class T>
 bool meets_surface(const Region<T>& region, Route route) {
-  return region.in_air || route == Route::mirrored;
+  return region.outside || route == Route::mirrored;
 }
 
 }  // namespace photic::geometry

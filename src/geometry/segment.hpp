@@ -88,7 +88,7 @@ OpticalDepths<T> optical_depths(const Slabs& sea, const Segment<T>& s) {
 template <class T>
 T group_path(const medium::MediumView& sea, const Segment<T>& s, const T& length) {
   const T path = length * gather<T>(sea.group_index, s.line);
-  if (!sea.upside_down) [[likely]]
+  if (sea.kind == medium::MediumKind::water) [[likely]]
     return path;
   if (s.course == Course::straight) return path + sea.air_delay(s.line, s.from, s.to, s.length);
   T down = sea.air_delay_down(s.line, s.from);
@@ -104,7 +104,7 @@ T group_path(const medium::MediumView& sea, const Segment<T>& segment) {
 template <class T>
 T group_index_in(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer) {
   const T of_line = gather<T>(sea.group_index, line);
-  if (!sea.upside_down) [[likely]]
+  if (sea.kind == medium::MediumKind::water) [[likely]]
     return of_line;
   return of_line + sea.template air_delay_per_metre<T>(line, layer);
 }

@@ -88,8 +88,8 @@ template <class T>
 Sightline<T> sightline(const medium::MediumView& sea, const Vec3<T>& from, const Index<T>& line,
                        const Vec3<T>& to, const Region<T>& region, Route route,
                        const Mask<T>& wanted) {
-  auto way = region.in_air ? sightline_through_surface(sea, from, line, to, wanted)
-                           : sightline_in_water(sea, from, line, to, route);
+  auto way = region.outside ? sightline_through_surface(sea, from, line, to, wanted)
+                            : sightline_in_water(sea, from, line, to, route);
   if (region.air.exists()) [[unlikely]]
     way.throughput = way.throughput * region.through_air(line, way.arriving.z);
   way.to = region;
@@ -101,7 +101,7 @@ template <class T>
 Segment<T> along(const medium::MediumView& sea, const Sightline<T>& way, const Index<T>& line,
                  const medium::Level<T>& from, const T& length) {
   using std::abs;
-  if (way.to.in_air) return to_surface(line, from, length, Slant<T>::of_secant(way.secant_water));
+  if (way.to.outside) return to_surface(line, from, length, Slant<T>::of_secant(way.secant_water));
   const T risen = length * way.direction.z;
   if (way.route == Route::direct)
     return {line, from, sea.level(way.to.layer, T(from.depth - risen)), length};

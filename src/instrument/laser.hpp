@@ -23,7 +23,7 @@ struct Laser {
                                  ///< start [m]
   T one_minus_cos_divergence{};  ///< 1 - cos(half divergence)
   bool collimated = false;       ///< no divergence: parallel rays from the whole disc
-  bool submerged = false;
+  bool inside = false;           ///< it stands in the medium
 };
 
 /// The fictitious vertex that a laser's rays come from.
@@ -35,7 +35,7 @@ Vec3<T> fictitious_vertex(const Laser<T>& laser) {
 /// Returns whether other rays can be led to its rays' fictitious vertex.
 template <class T>
 bool can_be_met(const Laser<T>& laser) {
-  return !laser.collimated && (laser.submerged || any(fictitious_vertex(laser).z > T(0)));
+  return !laser.collimated && (laser.inside || any(fictitious_vertex(laser).z > T(0)));
 }
 
 /// The excess of the way in the air from a laser's disc to a place, along the ray from the
@@ -65,7 +65,7 @@ Laser<T> make_laser(const scene::Source& s, const geometry::Ahead& way) {
   laser.vertex_detour = T(length(s.position_m - to_disc * axis) - (to_disc + ahead + to_sea));
   const double half_sine = std::sin(half_divergence / 2);
   laser.one_minus_cos_divergence = T(2 * half_sine * half_sine);
-  laser.submerged = geometry::stands_in_water(s.position_m);
+  laser.inside = geometry::stands_in_water(s.position_m);
   return laser;
 }
 template <class T>

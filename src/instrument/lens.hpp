@@ -161,7 +161,7 @@ inline double max_longer(const scene::Telescope& telescope) {
 /// Returns whether points of the lens are at several depths in the water.
 template <class T>
 bool is_aslant(const Telescope<T>& telescope) {
-  return telescope.submerged && !telescope.upright;
+  return telescope.inside && !telescope.upright;
 }
 /// Returns whether walks from all points of the lens come to a depth, so that those that collide
 /// there first may be translated.

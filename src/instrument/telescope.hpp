@@ -42,7 +42,7 @@ struct Telescope {
   T detector_distance{};  ///< from the lens: focal length + shift
   T min_defocus{};        ///< a sharp image counts as a disc of 1e-5 of the detector's radius
   ViewReach<T> reach;
-  bool submerged = false;
+  bool inside = false;     ///< it stands in the medium
   bool above_air = false;  ///< which is upside down: paths count as in clear air
   bool upright = false;    ///< its axis is vertical
 
@@ -169,7 +169,7 @@ Telescope<T> make_telescope(const scene::Telescope& s, const geometry::Ahead& wa
   t.detector_radius = T(s.effective_detector_diameter_m() / 2);
   t.detector_distance = T(s.detector_distance_m());
   t.min_defocus = T(1e-5) * t.detector_radius / t.lens_radius;
-  t.submerged = geometry::stands_in_water(s.position_m);
+  t.inside = geometry::stands_in_water(s.position_m);
   t.upright = std::abs(axis.z) == 1;
   const ViewReach<double> reach = reach_of_view(s);
   t.reach = {T(reach.tangent), T(reach.radius), T(reach.middle), T(reach.spread),

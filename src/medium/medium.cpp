@@ -161,7 +161,7 @@ void Medium::finish() {
   film_index_ = TwinTable(film.index);
   film_optical_thickness_ = TwinTable(film.optical_thickness);
   c_ = with_integrals(c, 1);
-  if (upside_down) delay_ = with_integrals(delay, 0);
+  if (kind == MediumKind::air) delay_ = with_integrals(delay, 0);
   albedo_ = TwinTable(with_bed<double>(albedo, 1.0));
   absorption_ = TwinTable(with_bed<double>(absorption, 0.0));
   const auto to_edges = depth_integrals(c);
@@ -240,7 +240,7 @@ MediumView Medium::view() const {
   v.bed_angles =
       bed_albedo.empty() ? 0 : static_cast<std::int32_t>(bed_albedo.size() / line.size());
   v.bed_albedo = bed_albedo_.view();
-  v.upside_down = upside_down;
+  v.kind = kind;
   v.top = top_.view();
   v.c = c_.view();
   v.albedo = albedo_.view();

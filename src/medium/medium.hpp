@@ -83,15 +83,21 @@ struct Column {
   T coefficient{}, integral{};
 };
 
+/// The side of the sea surface that a medium fills.
+enum class MediumKind : std::int8_t {
+  water,
+  air,  ///< upside down: its heights are depths (upside_down.hpp)
+};
+
 /// A Medium as a walk sees it. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
   std::int32_t layers = 0, lines = 0, bands = 0;
   std::int32_t places = 0;      ///< places of scattering: the layers, and a bed that reflects
   std::int32_t bed_angles = 0;  ///< 0: the sea bed is black
-  bool upside_down = false;     ///< it is the air above the sea, whose heights are depths here
-  ShortTable bed_albedo;        ///< [line][bed_angles], see surface/lambert.hpp
-  ShortTable top;     ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
-  ShortTable albedo;  ///< b / c, [line][layer]
+  MediumKind kind = MediumKind::water;
+  ShortTable bed_albedo;  ///< [line][bed_angles], see surface/lambert.hpp
+  ShortTable top;         ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
+  ShortTable albedo;      ///< b / c, [line][layer]
   // Coefficients and their integrals from the surface to a layer's top, [line][layer]:
   ShortPairs c;            ///< attenuation
   ShortTable bed_tau;      ///< the integral of c to the sea bed, [line]
@@ -299,7 +305,7 @@ class Medium {
   std::int32_t beam_lobe = 0;  ///< table of a narrow lobe, for walks that look for the laser's beam
   Waves waves;
   Film film;
-  bool upside_down = false;             ///< see upside_down.hpp
+  MediumKind kind = MediumKind::water;
   double air_m = 0;                     ///< its height then, below a vacuum
   double scattering_to_instrument = 0;  ///< optical depth of it from there to the sea, if it is
   EnvironmentTables environments;

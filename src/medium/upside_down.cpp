@@ -34,7 +34,7 @@ void add_surface(const Medium& sea, Medium& medium) {
 Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Medium& sea,
                    double lowest_m, double highest_m) {
   Medium medium;
-  medium.upside_down = true;
+  medium.kind = MediumKind::air;
   medium.line = sea.line;
   for (Line& line : medium.line) {
     line.refractive_index = 1 / line.refractive_index;

@@ -30,7 +30,7 @@ class Pool {
   /// Photons on their way from one medium to the other.
   struct Passed final : Arrivals {
     explicit Passed(const estimator::World<T>& world)
-        : photons(Carried{}), ratios(world.sea.environments, 0) {}
+        : photons(Carried{}), ratios(world.slabs.environments, 0) {}
     [[nodiscard]] bool empty() const override { return photons.size() == 0; }
 
     Reserve<T> photons;
@@ -44,15 +44,18 @@ class Pool {
 
   explicit Pool(const estimator::World<T>& world)
       : world_(world),
-        ratios_(world.sea.environments, 2 * slots),
-        pack_(packs, estimator::ForwardTracks<T>(world)),
+        ratios_(world.slabs.environments, 2 * slots),
+        lens_(2 * packs * estimator::lens_points(world)),
+        pack_(packs, estimator::ForwardTracks<T>(world, {})),
         reserve_(carried_in(world)),
-        newborn_(packs, estimator::ForwardTracks<T>(world)),
+        newborn_(pack_),
         estimates_(world) {
     for (std::size_t k = 0; k < packs; ++k) {
       pack_[k].ratios.paths = newborn_[k].ratios.paths = &ratios_;
       pack_[k].ratios.first = k * width;
       newborn_[k].ratios.first = slots + k * width;
+      pack_[k].lens = lens_of(k);
+      newborn_[k].lens = lens_of(packs + k);
     }
   }
 
@@ -61,7 +64,7 @@ class Pool {
   /// were on their way before.
   template <class Witness>
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Witness witness) {
-    draws_.emplace(estimator::draws_of_laser(world_, first));
+    draws_.emplace(estimator::draws_of_laser<T>(world_.random, first));
     next_ = 0;
     count_ = count;
     run(tally, witness);
@@ -122,6 +125,10 @@ class Pool {
       for (std::size_t k = 0; k < count; ++k) stage(pack[k]);
     }
   };
+  estimator::LensPoints<T> lens_of(std::size_t pack) {
+    const std::size_t points = estimator::lens_points(world_);
+    return estimator::LensPoints<T>(lens_).subspan(pack * points, points);
+  }
   Each on_the_way() { return {pack_.data(), used_}; }
   // Each is compiled once: whoever it is called for.
   template <class Events>
@@ -136,7 +143,7 @@ class Pool {
   void number_anew(estimator::ForwardTracks<T>& copies, std::int32_t copy) const {
     for_each_lane(copies.on, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
-      copies.place.photon.set(i, estimator::copy_number(world_.key, copies.place.photon[i],
+      copies.place.photon.set(i, estimator::copy_number(world_.random.key, copies.place.photon[i],
                                                         copies.place.event[i], copy));
     });
   }
@@ -199,7 +206,7 @@ class Pool {
     };
     if (estimator::has_environments<Events>(world_)) {
       for (std::size_t i = 0; i < born * width; ++i)
-        ratios_.of(newborn_.front().ratios.first + i).begin(world_.sea.environments);
+        ratios_.of(newborn_.front().ratios.first + i).begin(world_.slabs.environments);
     }
     all([&](auto& t) {
       const std::int32_t n = number_of(t);
@@ -230,7 +237,7 @@ class Pool {
       return;
     std::size_t path = arrivals_->photons.size();
     for_each_lane(pack.on, [&](int lane) {
-      ratios_.copy(world_.sea.environments, arrivals_->ratios, path++,
+      ratios_.copy(world_.slabs.environments, arrivals_->ratios, path++,
                    pack.ratios.first + static_cast<std::size_t>(lane));
     });
   }
@@ -241,7 +248,7 @@ class Pool {
     if (!world_.has_environments) [[likely]]
       return;
     for_each_lane(gone.on, [&](int lane) {
-      passed_->ratios.copy(world_.sea.environments, ratios_,
+      passed_->ratios.copy(world_.slabs.environments, ratios_,
                            gone.ratios.first + static_cast<std::size_t>(lane), path++);
     });
   }
@@ -271,15 +278,13 @@ class Pool {
   PHOTIC_APART void keep_copies(const estimator::ForwardTracks<T>& pack, const Mask<T>& mask,
                                 std::int32_t number, tally::BatchTally& tally) {
     estimator::ForwardTracks<T>& copies = newborn_.front();
-    const auto ratios = copies.ratios;
-    copies = pack;
-    copies.ratios = ratios;
+    copies.copy(pack);
     copies.on = mask;
     number_anew(copies, number);
     if (world_.has_environments)
       for_each_lane(mask, [&](int lane) {
         const auto i = static_cast<std::size_t>(lane);
-        ratios_.copy(world_.sea.environments, pack.ratios.first + i, ratios.first + i);
+        ratios_.copy(world_.slabs.environments, pack.ratios.first + i, copies.ratios.first + i);
       });
     const Each all{&copies, 1};
     auto steps =
@@ -294,13 +299,14 @@ class Pool {
     std::size_t waiting = 2 * slots + reserve_.size();
     for_each_lane(mask, [&](int lane) {
       const std::size_t here = first + static_cast<std::size_t>(lane);
-      ratios_.copy(world_.sea.environments, to_lanes ? waiting : here, to_lanes ? here : waiting);
+      ratios_.copy(world_.slabs.environments, to_lanes ? waiting : here, to_lanes ? here : waiting);
       ++waiting;
     });
   }
 
   const estimator::World<T>& world_;
   estimator::PathRatios<T> ratios_;  ///< of each slot and each waiting photon, in environments
+  std::vector<instrument::PlanePoint<T>> lens_;  ///< [pack, then newborn][group]
   std::vector<estimator::ForwardTracks<T>> pack_;
   std::size_t used_ = 0;                 ///< of the packs, the first ones
   std::array<Mask<T>, packs> before_{};  ///< the photons on their way when an event began

@@ -19,8 +19,9 @@ struct Carried {
 };
 template <class T>
 Carried carried_in(const estimator::World<T>& world) {
-  return {world.sea.bands > 0, world.sea.bed_angles > 0 || world.sea.upside_down,
-          !world.sea.surface.one_direction_each, world.makes_choices, world.all_events};
+  return {world.slabs.bands > 0,
+          world.slabs.bed_angles > 0 || world.slabs.kind == medium::MediumKind::air,
+          !world.slabs.surface.one_direction_each, world.forward.makes_choices, world.all_events};
 }
 
 /// A stack of photons at the end of a flight, word by word in columns: the last to come goes first.

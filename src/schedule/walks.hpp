@@ -33,9 +33,9 @@ class WalksSimulator final : public SetSimulator {
     if (lanes_of<T> == 1) return 1;
     constexpr std::size_t wanted = 250;
     constexpr std::size_t bytes = 16'000'000;
-    const std::size_t size = estimator::Walks<T>::size(world.sea);
+    const std::size_t size = estimator::Walks<T>::size(world.slabs);
     const std::size_t fit = size > 0 ? std::min(wanted, bytes / size) : wanted;
-    return std::max<std::size_t>(1, fit / world.walks);
+    return std::max<std::size_t>(1, fit / world.walks.laser_walks);
   }
 
   estimator::World<T> world_;

@@ -33,7 +33,7 @@ optics::FilmOnWater<T> film_on_water(const medium::MediumView& sea, const Index<
 /// Light of the laser's line that comes to a film.
 template <class T>
 struct AtFilm {
-  Mask<T> in_air{};   ///< from above; the others from below
+  Mask<T> outside{};  ///< from above; the others from below
   Vec3<T> direction;  ///< in which it comes
   Vec3<T> normal;     ///< of the film, upwards
 };
@@ -51,8 +51,8 @@ T emitted_by_film(const medium::MediumView& sea, const AtFilm<T>& at, const Inde
     return optics::film_emission(from, from_above, cosine_in, to, up, cosine_out);
   };
   T out(0);
-  if (any(at.in_air)) out = select(at.in_air, value(true), out);
-  if (!all(at.in_air)) out = select(at.in_air, out, value(false));
+  if (any(at.outside)) out = select(at.outside, value(true), out);
+  if (!all(at.outside)) out = select(at.outside, out, value(false));
   return select(cosine_out > T(0), gather<T>(sea.film.emission, line) * out, T(0));
 }
 

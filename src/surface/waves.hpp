@@ -217,28 +217,28 @@ struct RoughSurface {
   Face<T> face{};
   Index<T> line{};
 
-  /// The facets that lead light on. `in_air`: light that comes from there, and goes down; the rest
+  /// The facets that lead light on. `outside`: light that comes from there, and goes down; the rest
   /// rises from the water. `reflected`: true if k2 leads back there.
-  [[nodiscard]] Leading<T> facets(const Mask<T>& in_air, bool reflected, const Vec3<T>& k1,
+  [[nodiscard]] Leading<T> facets(const Mask<T>& outside, bool reflected, const Vec3<T>& k1,
                                   const Vec3<T>& k2) const {
-    const T n1 = select(in_air, T(1), n), n2 = select(in_air, n, T(1));
+    const T n1 = select(outside, T(1), n), n2 = select(outside, n, T(1));
     auto out = reflected ? reflecting(waves, face, n1, n2, k1, k2)
                          : transmitting(waves, face, n1, n2, k1, k2);
     out.per_density = out.per_density * (T(1) - white.fraction);
     return out;
   }
   /// The share of the light on a level area that whitecaps send in a direction [1/sr].
-  [[nodiscard]] T by_whitecaps(const Mask<T>& in_air, bool reflected, const Vec3<T>& k2) const {
+  [[nodiscard]] T by_whitecaps(const Mask<T>& outside, bool reflected, const Vec3<T>& k2) const {
     using std::abs;
-    const T back = select(in_air, white.from_above, white.from_below);
+    const T back = select(outside, white.from_above, white.from_below);
     return white.fraction * (reflected ? back : T(1) - back) * abs(k2.z) * T(1 / pi);
   }
   /// The same of facets and whitecaps together, of waves in two dimensions.
-  [[nodiscard]] T density(const Mask<T>& in_air, bool reflected, const Vec3<T>& k1,
+  [[nodiscard]] T density(const Mask<T>& outside, bool reflected, const Vec3<T>& k1,
                           const Vec3<T>& k2) const {
-    const auto by = facets(in_air, reflected, k1, k2);
+    const auto by = facets(outside, reflected, k1, k2);
     const T value = by.per_density * slope_density(waves, by.slope);
-    return waves.whitecap_fraction == 0 ? value : value + by_whitecaps(in_air, reflected, k2);
+    return waves.whitecap_fraction == 0 ? value : value + by_whitecaps(outside, reflected, k2);
   }
 };
 /// Light that has met the surface once.
@@ -252,27 +252,27 @@ struct FacetHit {
 /// Light of a direction that has come to a facet's film, from the air or from the water, and gone
 /// on in another one.
 template <class T>
-FilmCrossing<T> film_crossing(const Index<T>& line, const Mask<T>& in_air, const Mask<T>& passes,
+FilmCrossing<T> film_crossing(const Index<T>& line, const Mask<T>& outside, const Mask<T>& passes,
                               const Vec3<T>& k1, const Vec3<T>& k2, const Vec3<T>& normal) {
   using std::abs;
   const auto way = [](std::int32_t which) { return Index<T>(which); };
-  const Vec3<T> in_water = select(passes & in_air, k2, k1);
+  const Vec3<T> in_water = select(passes & outside, k2, k1);
   return {line,
           select(passes, way(medium::through_film),
-                 select(in_air, way(medium::back_into_air), way(medium::back_into_water))),
+                 select(outside, way(medium::back_into_air), way(medium::back_into_water))),
           T(abs(dot(in_water, normal)))};
 }
 /// The meeting of light from direction k1 to k2, as density() weighs facets and whitecaps.
 template <class T>
-FacetHit<T> meeting_of(const RoughSurface<T>& surface, const Mask<T>& in_air, bool reflected,
+FacetHit<T> meeting_of(const RoughSurface<T>& surface, const Mask<T>& outside, bool reflected,
                        const Vec3<T>& k1, const Vec3<T>& k2) {
-  const auto by = surface.facets(in_air, reflected, k1, k2);
+  const auto by = surface.facets(outside, reflected, k1, k2);
   FacetHit<T> out{by.slope, T(0), {}, {}};
   if (surface.face.oily)
-    out.film = film_crossing(surface.line, in_air, Mask<T>(!reflected), k1, k2,
+    out.film = film_crossing(surface.line, outside, Mask<T>(!reflected), k1, k2,
                              facet_of(surface.waves, by.slope).normal);
   if (surface.waves.whitecap_fraction == 0) return out;
-  const T white = surface.by_whitecaps(in_air, reflected, k2);
+  const T white = surface.by_whitecaps(outside, reflected, k2);
   const T all = white + by.per_density * slope_density(surface.waves, by.slope);
   out.by_whitecaps = white / select(all > T(0), all, T(1));
   return out;

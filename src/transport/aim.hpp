@@ -34,7 +34,7 @@ Aim<T> aim_by_waves(const medium::MediumView& sea, const instrument::Telescope<T
                     const geometry::Region<T>& region, const Vec3<T>& from, const Index<T>& line,
                     const instrument::PlanePoint<T>& lens, const SurfacePointUniforms<T>& u) {
   const auto level = near_level(sea, from, line, in_space(telescope, lens), region, Mask<T>(true));
-  const T n1 = region.in_air ? gather<T>(sea.index, line) : T(1);
+  const T n1 = region.outside ? gather<T>(sea.index, line) : T(1);
   const auto point = !sea.surface.leads_anywhere
                          ? draw_point_in_line(sea.waves, telescope, from, lens, level, n1, u).point
                          : draw_point(sea.waves, telescope, from, lens, level, u);

@@ -40,7 +40,7 @@ T paraxial_rise(const medium::MediumView& sea, const instrument::Telescope<T>& t
 template <class T>
 Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                 const Vec3<T>& position, const Index<T>& line) {
-  if (telescope.submerged) return Mask<T>(true);
+  if (telescope.inside) return Mask<T>(true);
   // The true angle is never below the paraxial one.
   return telescope.may_see_beyond(telescope.position.x - position.x,
                                   telescope.position.y - position.y,
@@ -52,7 +52,7 @@ template <class T>
 Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                 const Vec3<T>& position, const Index<T>& line,
                 const instrument::PlanePoint<T>& lens) {
-  if (telescope.submerged) return Mask<T>(true);
+  if (telescope.inside) return Mask<T>(true);
   return may_see_by_ray(telescope, lens, telescope.position.x - position.x,
                         telescope.position.y - position.y,
                         paraxial_rise(sea, telescope, position, line));
@@ -194,7 +194,7 @@ template <class T>
 Connection<T> connect(const geometry::Slabs& sea, const instrument::Telescope<T>& telescope,
                       const geometry::Region<T>& region, const Photon<T>& at, const Index<T>& line,
                       geometry::Route route, const Mask<T>& may_be_seen) {
-  if (!region.in_air) return connect_in_water(sea, telescope, region.layer, at, line, route);
+  if (!region.outside) return connect_in_water(sea, telescope, region.layer, at, line, route);
   auto way = connect_through_surface(sea, telescope, at, line, may_be_seen);
   if (region.air.exists()) [[unlikely]] {
     const auto& air = region.air;

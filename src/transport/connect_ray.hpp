@@ -13,7 +13,7 @@ namespace photic::transport {
 template <class T>
 T longer_in_air(const instrument::Telescope<T>& telescope, const geometry::Sightline<T>& way,
                 const Index<T>& line, const instrument::PlanePoint<T>& lens) {
-  if (!way.to.in_air) return T(0);
+  if (!way.to.outside) return T(0);
   return longer_way(telescope, way.crossing, lens, way.length_air) +
          way.to.delay(line, way.arriving.z);
 }
@@ -23,7 +23,7 @@ template <class T>
 T path_in_water(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                 const geometry::Sightline<T>& way, const Vec3<T>& from,
                 const geometry::Segment<T>& in_water, const instrument::PlanePoint<T>& lens) {
-  if (way.to.in_air) return geometry::group_path(sea, in_water);
+  if (way.to.outside) return geometry::group_path(sea, in_water);
   return path_within(sea, telescope, from, in_water, lens);
 }
 

@@ -23,7 +23,7 @@ geometry::Segment<T> from_surface_in_water(const medium::MediumView& sea,
 template <class T>
 T depth_to_lens(const geometry::Slabs& sea, const geometry::Region<T>& region, const Index<T>& line,
                 const FromSurface<T>& way) {
-  if (region.in_air) {
+  if (region.outside) {
     if (!region.air.exists()) [[likely]]
       return T(0);
     return gather<T>(region.air.optical_depth, line) / way.rising_cosine();
@@ -36,7 +36,7 @@ T path_to_telescope(const medium::MediumView& sea, const instrument::Telescope<T
                     const geometry::Region<T>& region, const Index<T>& line,
                     const instrument::PlanePoint<T>& lens, const Vec3<T>& at,
                     const FromSurface<T>& way) {
-  if (region.in_air)
+  if (region.outside)
     return longer_way(telescope, at, lens, way.length) + region.delay(line, way.rising_cosine());
   return path_within(sea, telescope, at, from_surface_in_water(sea, region, line, way), lens);
 }
@@ -136,7 +136,7 @@ WavesConnection<T> connect_by_waves(const geometry::Slabs& sea,
                                     const SurfacePointUniforms<T>& u, const Mask<T>& wanted) {
   const auto surface = surface::rough_surface<T>(sea, line);
   const Vec3<T>& from = photon.position;
-  const bool back = !region.in_air;
+  const bool back = !region.outside;
   const auto level = near_level(sea, from, line, in_space(telescope, lens), region, wanted);
   const auto point = !sea.surface.leads_anywhere
                          ? weighed_point_in_line(surface, telescope, back, from, lens, level, u)
@@ -172,7 +172,7 @@ template <class T>
 SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
                                           const instrument::Telescope<T>& telescope,
                                           const geometry::Region<T>& region,
-                                          const Photon<T>& photon, const Mask<T>& in_air,
+                                          const Photon<T>& photon, const Mask<T>& outside,
                                           const instrument::PlanePoint<T>& lens) {
   const auto surface = surface::rough_surface<T>(sea, photon.line);
   const auto way = from_surface(telescope, lens, photon.position);
@@ -181,16 +181,16 @@ SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
   if (!any(way.seen)) return out;
   const auto value = [&](bool reflected) {
     return !sea.surface.leads_anywhere
-               ? surface.by_whitecaps(in_air, reflected, way.direction)
-               : surface.density(in_air, reflected, photon.direction, way.direction);
+               ? surface.by_whitecaps(outside, reflected, way.direction)
+               : surface.density(outside, reflected, photon.direction, way.direction);
   };
-  const Mask<T> reflects = region.in_air ? in_air : !in_air;
+  const Mask<T> reflects = region.outside ? outside : !outside;
   T per_solid_angle(0);
   if (any(reflects)) per_solid_angle = select(reflects, value(true), per_solid_angle);
   if (!all(reflects)) per_solid_angle = select(reflects, per_solid_angle, value(false));
   if (sea.surface.differs_in_environments) {
     const auto meeting = [&](bool reflected) {
-      return surface::meeting_of(surface, in_air, reflected, photon.direction, way.direction);
+      return surface::meeting_of(surface, outside, reflected, photon.direction, way.direction);
     };
     const auto back = meeting(true), through = meeting(false);
     out.meeting.slope = {select(reflects, back.slope.upwind, through.slope.upwind),
@@ -205,7 +205,7 @@ SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
       per_solid_angle * telescope.area() * way.sight.cos_off_axis / (way.length * way.length),
       T(0));
   out.optical_depth = depth_to_lens(sea, region, photon.line, way);
-  if (!region.in_air) out.in_water = from_surface_in_water(sea, region, photon.line, way);
+  if (!region.outside) out.in_water = from_surface_in_water(sea, region, photon.line, way);
   out.path = path_to_telescope(sea, telescope, region, photon.line, lens, photon.position, way);
   return out;
 }
@@ -216,12 +216,12 @@ template <class T>
 RayConnection<T> connect_in_line(const geometry::Slabs& sea,
                                  const instrument::Telescope<T>& telescope,
                                  const geometry::Region<T>& region, const Photon<T>& photon,
-                                 const Mask<T>& in_air, const T& u) {
+                                 const Mask<T>& outside, const T& u) {
   using std::abs;
   const auto surface = surface::rough_surface<T>(sea, photon.line);
   const auto axes = axes_of<T>(sea.waves);
-  const Mask<T> reflects = region.in_air ? in_air : !in_air;
-  const T n1 = select(in_air, T(1), surface.n), n2 = select(in_air, surface.n, T(1));
+  const Mask<T> reflects = region.outside ? outside : !outside;
+  const T n1 = select(outside, T(1), surface.n), n2 = select(outside, surface.n, T(1));
   const auto bounds = slopes_to_lens(axes, telescope, photon, select(reflects, T(1), n1 / n2));
   const T s = bounds.middle + bounds.half * (T(2) * u - T(1));
   const bool upwind = sea.waves.crosswind_deviation == 0;
@@ -244,7 +244,7 @@ RayConnection<T> connect_in_line(const geometry::Slabs& sea,
                               surface::gaussian_along(axes.deviation, s),
                           T(0));
   out.optical_depth = depth_to_lens(sea, region, photon.line, way);
-  if (!region.in_air) out.in_water = from_surface_in_water(sea, region, photon.line, way);
+  if (!region.outside) out.in_water = from_surface_in_water(sea, region, photon.line, way);
   out.path = path_to_telescope(sea, telescope, region, photon.line, hit.lens, photon.position, way);
   return out;
 }

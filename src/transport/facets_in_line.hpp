@@ -46,14 +46,14 @@ SeenSpan<T> seen_span(const instrument::Telescope<T>& telescope,
   const T b = level * ray.z - r2 * (bx * dx + by * dy);
   const T c = level * level - r2 * (bx * bx + by * by);
   const T discriminant = b * b - a * c;
-  const Mask<T> leads = telescope.submerged ? ray.z > T(0) : ray.z < T(0);
+  const Mask<T> leads = telescope.inside ? ray.z > T(0) : ray.z < T(0);
   SeenSpan<T> out;
   out.exists = leads & (a > T(0)) & (discriminant > T(0));
   const T root = sqrt(select(out.exists, discriminant, T(0)));
   const T per_a = T(1) / select(out.exists, a, T(1));
   const Vec3<T> from = in_space(telescope, lens);
   const T middle_at = dot(from, along) - from.z * b * per_a;
-  const T half = T(1.01) * root * per_a * (telescope.submerged ? T(0) - from.z : from.z);
+  const T half = T(1.01) * root * per_a * (telescope.inside ? T(0) - from.z : from.z);
   out.from = middle_at - half;
   out.to = middle_at + half;
   return out;

@@ -10,8 +10,8 @@ namespace photic::transport {
 /// Light at the surface: it comes down to it in the air, or rises to it in the water.
 template <class T>
 struct AtWaves {
-  Mask<T> meets{};   ///< the photons about to meet a facet
-  Mask<T> in_air{};  ///< those that do so from above; the others from below
+  Mask<T> meets{};    ///< the photons about to meet a facet
+  Mask<T> outside{};  ///< those that do so from above; the others from below
 };
 /// The fate of photons that met one.
 template <class T>
@@ -74,14 +74,14 @@ FacetMet<T> facet_met(const surface::WavesView& waves, const Vec3<T>& direction,
 }
 template <class T>
 WaysOn<T> ways_on(const surface::RoughSurface<T>& surface, const Vec3<T>& direction,
-                  const Mask<T>& in_air, const WavesUniforms<T>& u) {
+                  const Mask<T>& outside, const WavesUniforms<T>& u) {
   const auto& waves = surface.waves;
   const auto [facet, seen, gain] = facet_met(waves, direction, u.slope, u.azimuth);
-  const T n1 = select(in_air, T(1), surface.n), n2 = select(in_air, surface.n, T(1));
+  const T n1 = select(outside, T(1), surface.n), n2 = select(outside, surface.n, T(1));
   const auto at = surface::meet_facet(surface.face, n1, n2, direction, facet);
-  WaysOn<T> out{select(in_air, at.transmitted, at.reflected),
-                select(in_air, at.reflected, at.transmitted),
-                select(in_air, at.transmittance, T(1) - at.transmittance),
+  WaysOn<T> out{select(outside, at.transmitted, at.reflected),
+                select(outside, at.reflected, at.transmitted),
+                select(outside, at.transmittance, T(1) - at.transmittance),
                 T(1),
                 gain,
                 facet,
@@ -94,7 +94,7 @@ WaysOn<T> ways_on(const surface::RoughSurface<T>& surface, const Vec3<T>& direct
   const Vec3<T> up = up_from_whitecap(u);
   out.down = select(meets_white, Vec3<T>{up.x, up.y, -up.z}, out.down);
   out.up = select(meets_white, up, out.up);
-  out.share_down = select(meets_white, select(in_air, T(1) - white.from_above, white.from_below),
+  out.share_down = select(meets_white, select(outside, T(1) - white.from_above, white.from_below),
                           out.share_down);
   out.gain = select(meets_white, T(1), out.gain);
   out.unabsorbed = select(meets_white, T(1), out.unabsorbed);
@@ -108,7 +108,7 @@ WaysOn<T> ways_on(const surface::RoughSurface<T>& surface, const Vec3<T>& direct
 template <class T>
 AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& photon, AtWaves<T>& at,
                          const WavesUniforms<T>& u, bool splits) {
-  const auto way = ways_on(surface, photon.direction, at.in_air, u);
+  const auto way = ways_on(surface, photon.direction, at.outside, u);
   const auto& [down, up, share_down, unabsorbed, gain, facet, seen, meets_white] = way;
   const Mask<T> rises = up.z > T(0);
   const Mask<T> leaves = splits ? rises : Mask<T>(false);
@@ -122,21 +122,21 @@ AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& pho
   met.escaped = select(leaves, weight * (T(1) - share_down), T(0));
   met.risen = up;
   if (surface.face.oily) {
-    const T share_back = select(at.in_air, T(1) - share_down, share_down);
+    const T share_back = select(at.outside, T(1) - share_down, share_down);
     met.into_film = weight * share_back * (T(1) - unabsorbed);
-    met.escaped = met.escaped * select(at.in_air, unabsorbed, T(1));
-    const Mask<T> goes_back = (at.in_air & !goes_down) | (goes_down & !at.in_air);
+    met.escaped = met.escaped * select(at.outside, unabsorbed, T(1));
+    const Mask<T> goes_back = (at.outside & !goes_down) | (goes_down & !at.outside);
     kept = kept * select(goes_back, unabsorbed, T(1));
   }
   met.in_water = at.meets & goes_down & (direction.z < T(0));
   met.left = at.meets & !goes_down & rises;
-  const Mask<T> came_from_air = at.in_air;
+  const Mask<T> came_from_air = at.outside;
   const Vec3<T> came = photon.direction;
   photon.direction = select(at.meets, direction, photon.direction);
   photon.weight = select(at.meets, weight * kept, photon.weight);
   photon.analog_weight = photon.analog_weight * select(at.meets, kept, T(1));
 
-  at.in_air = !goes_down;
+  at.outside = !goes_down;
   at.meets = at.meets & !(met.in_water | met.left);
   const T between =
       select(at.meets, T(1) / (T(1) + surface::smith(surface.waves, direction)), T(1));
@@ -152,8 +152,9 @@ AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& pho
   const T back = abs(surface::visibility(direction, facet));
   met.chance_back =
       select(meets_white | !(back > T(0)), T(1), seen / select(back > T(0), back, T(1)));
-  met.chance_back = met.chance_back * select(met.in_water, T(1 - further_facet),
-                                             select(at.meets & !at.in_air, T(further_facet), T(1)));
+  met.chance_back =
+      met.chance_back * select(met.in_water, T(1 - further_facet),
+                               select(at.meets & !at.outside, T(further_facet), T(1)));
   photon.weight = photon.weight * between;
   const Mask<T> lit = photon.weight > T(0);
   met.in_water = met.in_water & lit;

@@ -47,13 +47,13 @@ template <class T>
 NearLevel<T> near_level(const medium::MediumView& sea, const Vec3<T>& from, const Index<T>& line,
                         const Vec3<T>& to, const geometry::Region<T>& region,
                         const Mask<T>& wanted) {
-  const auto route = region.in_air ? geometry::Route::direct : geometry::Route::mirrored;
+  const auto route = region.outside ? geometry::Route::direct : geometry::Route::mirrored;
   const auto way = geometry::sightline(sea, from, line, to, region, route, wanted);
   const T to_surface = -from.z / way.direction.z;
   const Vec3<T> at = from + to_surface * way.direction;
-  return near_level(at, region.in_air ? gather<T>(sea.index, line) : T(1), way.direction,
+  return near_level(at, region.outside ? gather<T>(sea.index, line) : T(1), way.direction,
                     to_surface, T(1), way.arriving,
-                    region.in_air ? way.length_air : T(way.length_water - to_surface));
+                    region.outside ? way.length_air : T(way.length_water - to_surface));
 }
 
 /// A slope in space.
@@ -102,7 +102,7 @@ FromSurface<T> from_surface(const instrument::Telescope<T>& telescope,
   out.length = length(way);
   out.direction = (T(1) / out.length) * way;
   out.sight = sight(telescope, lens, out.direction);
-  const Mask<T> leads = telescope.submerged ? out.direction.z < T(0) : out.direction.z > T(0);
+  const Mask<T> leads = telescope.inside ? out.direction.z < T(0) : out.direction.z > T(0);
   out.seen = leads & out.sight.on_detector;
   return out;
 }
@@ -123,7 +123,7 @@ SurfacePoint<T> point_seen(const instrument::Telescope<T>& telescope,
       (T(1) / telescope.detector_distance) * image + (T(0) - telescope.per_sharp_range) * lens;
   const Vec3<T> out = outward(telescope, slope);
   const Vec3<T> start = telescope.start + in_plane(telescope, lens + telescope.ahead * slope);
-  const Mask<T> leads = telescope.submerged ? out.z > T(0) : out.z < T(0);
+  const Mask<T> leads = telescope.inside ? out.z > T(0) : out.z < T(0);
   const T distance = (T(0) - start.z) / select(leads, out.z, T(1));
   return {leads, {start.x + distance * out.x, start.y + distance * out.y, T(0)}};
 }

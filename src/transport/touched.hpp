@@ -25,14 +25,16 @@ Index<T> touched_at(const medium::MediumView& sea, const Index<T>& layer, const 
 template <class T>
 Index<T> component_of(const medium::MediumView& sea, const Index<T>& line,
                       const Index<T>& touched) {
-  if (sea.bed_angles == 0 && sea.surface.one_direction_each && !sea.upside_down) return line;
+  if (sea.bed_angles == 0 && sea.surface.one_direction_each &&
+      sea.kind == medium::MediumKind::water)
+    return line;
   return touched * Index<T>(sea.lines) + line;
 }
 
 /// The depth below the surface of a place in a medium: negative in the air.
 template <class T>
 T signed_depth(const medium::MediumView& sea, const T& depth) {
-  return sea.upside_down ? T(0) - depth : depth;
+  return sea.kind == medium::MediumKind::air ? T(0) - depth : depth;
 }
 
 }  // namespace photic::transport

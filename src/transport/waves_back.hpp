@@ -17,7 +17,7 @@ namespace photic::transport {
 template <class T>
 struct BackAtWaves {
   Mask<T> meets{};    ///< the walks about to meet a facet
-  Mask<T> in_air{};   ///< those in the air
+  Mask<T> outside{};  ///< those in the air
   Mask<T> leaving{};  ///< those that could have left the surface, and go on to a steeper facet
 };
 template <class T>
@@ -34,7 +34,7 @@ inline constexpr double sent_back = 0.9;
 template <class T>
 struct WayBack {
   Vec3<T> direction;
-  Mask<T> in_air{};
+  Mask<T> outside{};
   T gain{};     ///< of the weight
   T chance{1};  ///< as of AfterFacetBack
   surface::Slope<T> slope{};
@@ -50,7 +50,7 @@ WayBack<T> back_from_facet(const surface::RoughSurface<T>& surface, const Vec3<T
   const T met = surface::visibility(before, facet);
   const T seen = select(at.leaving, T(0) - met, met);
   const Mask<T> exists = seen > T(0);
-  const T n1 = select(at.in_air, T(1), surface.n), n2 = select(at.in_air, surface.n, T(1));
+  const T n1 = select(at.outside, T(1), surface.n), n2 = select(at.outside, surface.n, T(1));
   const auto by = surface::meet_facet(surface.face, n1, n2, before, facet);
   const T back = T(1) - by.transmittance;
   const T drawn = returns ? select(back > T(sent_back), back, T(sent_back)) : back;
@@ -58,7 +58,7 @@ WayBack<T> back_from_facet(const surface::RoughSurface<T>& surface, const Vec3<T
   WayBack<T> way;
   way.slope = facet.slope;
   way.direction = select(reflects, by.reflected, by.transmitted);
-  way.in_air = (at.in_air & reflects) | !(at.in_air | reflects);
+  way.outside = (at.outside & reflects) | !(at.outside | reflects);
   // Light that passes takes (n_i / n_t)^2 along: a walk from a telescope carries étendue.
   const T passes = (n1 / n2) * (n1 / n2);
   way.gain = select(exists, seen, T(0)) * surface::series(waves, facet.slope) *
@@ -68,7 +68,7 @@ WayBack<T> back_from_facet(const surface::RoughSurface<T>& surface, const Vec3<T
   if (surface.face.oily) {
     way.gain = way.gain * select(reflects, by.reflected_of_rest(), T(1));
     // The light's direction: the other way.
-    way.film = surface::film_crossing(surface.line, way.in_air, Mask<T>(!reflects), way.direction,
+    way.film = surface::film_crossing(surface.line, way.outside, Mask<T>(!reflects), way.direction,
                                       before, facet.normal);
   }
   way.chance = abs(surface::visibility(way.direction, facet)) / select(exists, seen, T(1));
@@ -80,12 +80,12 @@ template <class T>
 WayBack<T> back_from_whitecap(const surface::RoughSurface<T>& surface, const BackAtWaves<T>& at,
                               const WavesUniforms<T>& u) {
   const auto& white = surface.white;
-  const Mask<T> reflects = u.choice < select(at.in_air, white.from_above, white.from_below);
+  const Mask<T> reflects = u.choice < select(at.outside, white.from_above, white.from_below);
   const Vec3<T> up = up_from_whitecap(u);
-  const T n1 = select(at.in_air, T(1), surface.n), n2 = select(at.in_air, surface.n, T(1));
+  const T n1 = select(at.outside, T(1), surface.n), n2 = select(at.outside, surface.n, T(1));
   WayBack<T> way;
-  way.in_air = (at.in_air & reflects) | !(at.in_air | reflects);
-  way.direction = select(way.in_air, up, Vec3<T>{up.x, up.y, -up.z});
+  way.outside = (at.outside & reflects) | !(at.outside | reflects);
+  way.direction = select(way.outside, up, Vec3<T>{up.x, up.y, -up.z});
   way.gain = select(at.leaving, T(0), select(reflects, T(1), T((n1 / n2) * (n1 / n2))));
   return way;
 }
@@ -104,19 +104,19 @@ AfterFacetBack<T> meet_waves_back(const surface::RoughSurface<T>& surface, Photo
     const Mask<T> white = u.whitecap < surface.white.fraction;
     const auto by = back_from_whitecap(surface, at, u);
     way.direction = select(white, by.direction, way.direction);
-    way.in_air = (white & by.in_air) | (way.in_air & !white);
+    way.outside = (white & by.outside) | (way.outside & !white);
     way.gain = select(white, by.gain, way.gain);
     way.chance = select(white, by.chance, way.chance);
     out.meeting.by_whitecaps = select(white, T(1), T(0));
   }
   const Mask<T> goes_on =
-      must ? Mask<T>(true) : Mask<T>(way.in_air | (u_leaves < T(further_facet)));
+      must ? Mask<T>(true) : Mask<T>(way.outside | (u_leaves < T(further_facet)));
   const T chosen =
       must ? T(1)
-           : select(way.in_air, T(1), select(goes_on, T(further_facet), T(1 - further_facet)));
+           : select(way.outside, T(1), select(goes_on, T(further_facet), T(1 - further_facet)));
   const T between =
       select(goes_on, T(1) / (T(1) + surface::smith(surface.waves, way.direction)), T(1));
-  const T upwards = select(way.in_air, way.direction.z, T(0) - way.direction.z);
+  const T upwards = select(way.outside, way.direction.z, T(0) - way.direction.z);
   const Mask<T> lit = at.meets & (upwards > T(0)) & (way.gain > T(0));
   photon.direction = select(at.meets, way.direction, photon.direction);
   photon.weight =
@@ -124,7 +124,7 @@ AfterFacetBack<T> meet_waves_back(const surface::RoughSurface<T>& surface, Photo
   out.meeting.between = select(goes_on, way.direction, Vec3<T>{});
   out.chance = select(lit, way.chance * chosen, T(1));
   out.in_water = lit & !goes_on;
-  at.in_air = way.in_air;
+  at.outside = way.outside;
   at.leaving = at.leaving | lit;
   at.meets = lit & goes_on;
   return out;

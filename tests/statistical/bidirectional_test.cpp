@@ -268,8 +268,8 @@ TEST(Bidirectional, TurningDoesNotMatter) {
   const auto rotated = run_in_lanes(read(scene + simulation(4e5, 31, "", "bidirectional")));
   const auto not_rotated =
       simulate_in(scene + simulation(4e5, 32, "", "bidirectional"), [](auto& world) {
-        ASSERT_TRUE(world.uses.rotated);
-        world.uses.rotated = false;
+        ASSERT_TRUE(world.walks.uses.rotated);
+        world.walks.uses.rotated = false;
       });
   ZFamily gates{0.01};
   std::vector<std::size_t> all(rotated.echo.mean.size());
@@ -293,7 +293,7 @@ TEST(Bidirectional, WalksOfTwoVertices) {
     return scene + simulation(1e6, seed, "max_order = 3", "bidirectional");
   };
   const auto capped =
-      simulate_in(up_to_third_order(3), [](auto& world) { world.max_vertices = 2; });
+      simulate_in(up_to_third_order(3), [](auto& world) { world.walks.max_vertices = 2; });
   const auto whole = run_in_lanes(read(up_to_third_order(4)));
   std::vector<std::size_t> finite;
   for (std::size_t i = 0; i < capped.grid("echo_by_order").mean.size(); ++i) {

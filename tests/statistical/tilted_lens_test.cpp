@@ -37,12 +37,12 @@ TEST(TiltedLens, LosesNothingThatIsInTime) {
     const auto bounded = simulate_in(scene, [](auto&) {});
     const auto generous = simulate_in(scene, [](auto& world) {
       constexpr double more_m = 10;
-      for (auto& receiver : world.receivers) {
+      for (auto& receiver : world.walks.receivers) {
         receiver.longest += more_m;
         receiver.deadline.path += more_m;
       }
-      for (auto& deadline : world.deadlines) deadline.path += more_m;
-      world.deepest += more_m;
+      for (auto& deadline : world.instruments.deadlines) deadline.path += more_m;
+      world.walks.deepest += more_m;
     });
     ASSERT_GT(bounded.echo.mean.back(), 0);
     for (std::size_t g = 0; g < bounded.gates(); ++g)

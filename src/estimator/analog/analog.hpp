@@ -34,35 +34,36 @@ template <class T>
 geometry::Segment<T> to_lens(const World<T>& world, std::size_t telescope,
                              const transport::Photon<T>& photon,
                              const instrument::PlanePoint<T>& lens, const T& length) {
-  const Vec3<T> end = in_space(world.telescopes[telescope], lens);
-  return {photon.line, geometry::level_of(world.sea, photon),
-          world.sea.level(world.telescope_region[telescope].layer, geometry::depth_of(end)),
+  const Vec3<T> end = in_space(world.instruments.telescopes[telescope], lens);
+  return {photon.line, geometry::level_of(world.slabs, photon),
+          world.slabs.level(world.instruments.telescope_region[telescope].layer,
+                            geometry::depth_of(end)),
           length};
 }
 /// Counts the photons of a mask that fall on a detector on their straight way from where they
-/// stand, so long, in the water, or from the surface `in_air`; `depth` is that of the collision
+/// stand, so long, in the water, or from the surface `outside`; `depth` is that of the collision
 /// they come from. Telescopes do not stand in each other's way, nor in the light's.
 template <class T>
 void detect(const World<T>& world, const transport::Photon<T>& photon, const Index<T>& touched,
-            Mask<T> flying, const T& length, bool in_air, const T& depth,
+            Mask<T> flying, const T& length, bool outside, const T& depth,
             tally::BatchTally& tally) {
   const Index<T> of_surface(static_cast<std::int32_t>(transport::Touched::surface));
   flying = flying & ((photon.order > Index<T>(0)) | (touched == of_surface));
-  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
-    const instrument::Telescope<T>& telescope = world.telescopes[t];
-    if (world.telescope_region[t].in_air != in_air) continue;
+  for (std::size_t t = 0; t < world.instruments.telescopes.size(); ++t) {
+    const instrument::Telescope<T>& telescope = world.instruments.telescopes[t];
+    if (world.instruments.telescope_region[t].outside != outside) continue;
     const auto [open, point, distance] =
         transport::come_to_lens(telescope, photon.position, photon.direction);
     const Mask<T> seen = flying & open & (distance < length) &
                          instrument::sight(telescope, point, photon.direction).on_detector;
     if (!any(seen)) continue;
-    const T way = in_air
+    const T way = outside
                       ? longer_way(telescope, photon.position, point, distance)
-                      : transport::path_within(world.sea, telescope, photon.position,
+                      : transport::path_within(world.slabs, telescope, photon.position,
                                                to_lens(world, t, photon, point, distance), point);
     const lanes::LaneScores<T> scores{Index<T>(static_cast<std::int32_t>(t)),
-                                      world.path_to_origin[t],
-                                      transport::component_of<T>(world.sea, photon.line, touched),
+                                      world.instruments.path_to_origin[t],
+                                      transport::component_of<T>(world.slabs, photon.line, touched),
                                       photon.order,
                                       depth,
                                       photon.path + way,
@@ -95,11 +96,12 @@ struct AnalogSteps {
 
   /// A batch's photons n, n + 1, … of a mask leave the laser.
   AnalogPhotons<T> birth(const Draws<T>& draws, std::int32_t n, const Mask<T>& exist) {
-    AnalogPhotons<T> p{{}, {world.key, draws.photon(Index<T>(n) + lane_numbers<T>()), Index<T>(0)}};
+    AnalogPhotons<T> p{
+        {}, {world.random.key, draws.photon(Index<T>(n) + lane_numbers<T>()), Index<T>(0)}};
     const auto w = draws.together(n, 0, birth_blocks[0]);
-    if (world.sea.bands > 0) p.spectral_bin = medium::spectral_bin_of(w[3]);
+    if (world.slabs.bands > 0) p.spectral_bin = medium::spectral_bin_of(w[3]);
     birth_at_laser(world, w[0], w[1], exist, p, ledger);
-    if (world.laser_region.in_air) cross_surface(p, p.on, true, w[2], T(0));
+    if (world.instruments.laser_region.outside) cross_surface(p, p.on, true, w[2], T(0));
     return p;
   }
 
@@ -124,22 +126,22 @@ struct AnalogSteps {
     return fly_on(p, at_surface & p.on, depth, end);
   }
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
-    return estimator::in_time(world, photon);
+    return estimator::in_time(world.instruments, photon);
   }
   void cross(const AnalogPhotons<T>&) {}  // in flight
 
   void score(const AnalogPhotons<T>&) {}
   void collide(AnalogPhotons<T>& p) {
-    const Mask<T> last = p.photon.order == Index<T>(world.last_order);
-    if (world.last_order > 0) book_out(p, last, ledger.cut_by_order);
-    const Mask<T> bed = surface::on_bed<T>(world.sea, p.photon.layer);
+    const Mask<T> last = p.photon.order == Index<T>(world.part.last_order);
+    if (world.part.last_order > 0) book_out(p, last, ledger.cut_by_order);
+    const Mask<T> bed = surface::on_bed<T>(world.slabs, p.photon.layer);
     const Mask<T> first = p.photon.order == Index<T>(0);
-    const Index<T> fresh(static_cast<std::int32_t>(touched_at_birth(world.sea)));
+    const Index<T> fresh(static_cast<std::int32_t>(touched_at_birth(world.slabs)));
     p.touched =
-        transport::touched_at<T>(world.sea, p.photon.layer, select(first, fresh, p.touched));
+        transport::touched_at<T>(world.slabs, p.photon.layer, select(first, fresh, p.touched));
     const transport::Photon<T> before = p.photon;
     const Mask<T> stays =
-        collide_by_chance(world.sea, p.photon, p.spectral_bin, p.on, u[3], v[0], v[1]);
+        collide_by_chance(world.slabs, p.photon, p.spectral_bin, p.on, u[3], v[0], v[1]);
     if (world.companion) [[unlikely]]
       world.companion->collided(before, p.photon, p.on);
     book_out(p, bed & !stays, ledger.sea_bed);
@@ -156,7 +158,7 @@ struct AnalogSteps {
   /// they go on in the other medium. `depth`: of the collision that they come from.
   void leave(const AnalogPhotons<T>& p, const transport::Photon<T>& out, const Mask<T>& leaving,
              const T& depth) {
-    if (!world.beyond.exists) {
+    if (!world.part.beyond.exists) {
       const T endless(std::numeric_limits<Element<T>>::max());
       return detect(world, out, p.touched, leaving, endless, true, depth, tally);
     }
@@ -164,7 +166,7 @@ struct AnalogSteps {
     AnalogPhotons<T> gone = p;
     gone.photon = out;
     gone.on = leaving;
-    go_beyond(world, out.direction, gone);
+    go_beyond(world.part.beyond, out.direction, gone);
     passed.push_back(gone);
     book(ledger.escaped, leaving, T(0) - out.weight);  // it has not
   }
@@ -209,7 +211,7 @@ struct AnalogSteps {
   transport::FlightEnd<T> fly_to_detectors(transport::Photon<T>& photon, const Index<T>& touched,
                                            const Mask<T>& flying, const T& number, const T& depth) {
     const transport::Photon<T> before = photon;
-    const auto end = transport::fly(world.sea, photon, minus_log(number));
+    const auto end = transport::fly(world.slabs, photon, minus_log(number));
     if (world.companion) [[unlikely]]
       world.companion->flown(photon, end.length, flying);
     detect(world, before, touched, flying, end.length, false, depth, tally);
@@ -229,7 +231,7 @@ class Analog {
   /// Photons `first` … `first + count - 1` of the laser, the first of a batch and up.
   template <class Witness>
   void run(std::uint64_t first, std::uint64_t count, Witness witness) {
-    const Draws<T> draws = draws_of_laser(steps_.world, first);
+    const Draws<T> draws = draws_of_laser<T>(steps_.world.random, first);
     for (std::uint64_t n = 0; n < count; n += lanes_of<T>) {
       auto photons = steps_.birth(draws, static_cast<std::int32_t>(n), first_lanes<T>(count - n));
       follow(photons, witness);
@@ -240,7 +242,7 @@ class Analog {
   template <class Witness>
   void run(AnalogPassed<T>& arrivals, Witness witness) {
     for (AnalogPhotons<T>& photons : arrivals) {
-      photons.place.key = steps_.world.key;
+      photons.place.key = steps_.world.random.key;
       follow(photons, witness);
     }
     arrivals.clear();
@@ -260,7 +262,8 @@ class Analog {
   }
   void close_ledger() {
     tally::Ledger all = total(std::exchange(ledger_, {}));
-    if (steps_.world.sea.upside_down) all.escaped += std::exchange(all.sea_bed, 0);  // upwards
+    if (steps_.world.slabs.kind == medium::MediumKind::air)
+      all.escaped += std::exchange(all.sea_bed, 0);  // upwards
     steps_.tally.ledger += all;
   }
 

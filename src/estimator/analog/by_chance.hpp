@@ -18,7 +18,7 @@ struct ByChance : FacetsOfHistories<T, Ledger, false> {
     auto& ledger = this->ledger;
     transport::Photon<T>& photon = t.photon;
     if (from_outside) {  // the loss of weight becomes a chance
-      cross_by_shares(this->world.sea, t, stand, true, Mask<T>(false), ledger, observer);
+      cross_by_shares(this->world.slabs, t, stand, true, Mask<T>(false), ledger, observer);
       const Mask<T> passes = number < photon.weight;
       book(ledger.roulette, stand, photon.weight - select(passes, T(1), T(0)));
       photon.weight = T(1);
@@ -26,7 +26,7 @@ struct ByChance : FacetsOfHistories<T, Ledger, false> {
       return;
     }
     const auto split =
-        surface::flat_surface<T>(this->world.sea, photon.line).from_below(photon.direction);
+        surface::flat_surface<T>(this->world.slabs, photon.line).from_below(photon.direction);
     const Mask<T> leaves = stand & (number >= split.reflectance);
     observer.passes(leaves, split.transmitted, photon.weight);
     book_out(t, leaves, ledger.escaped);
@@ -35,7 +35,7 @@ struct ByChance : FacetsOfHistories<T, Ledger, false> {
   template <class Observer>
   void cross_film(Track<T>& t, const Mask<T>& stand, bool from_outside, Observer& observer) const {
     const auto after =
-        film_by_chance(this->world.sea, this->place, spectral_bin, stand, from_outside, t.photon);
+        film_by_chance(this->world.slabs, this->place, spectral_bin, stand, from_outside, t.photon);
     observer.came_from_film(after.emitted);
     observer.passes(after.up, t.photon.direction, t.photon.weight);
     book_out(t, after.up, this->ledger.escaped);

@@ -38,25 +38,26 @@ struct FromLaser : WalkDraws<T> {
   bool of_own_rays = true;  ///< else the others, whose light is not the laser's
 
   [[nodiscard]] static std::int32_t instrument() { return of_laser; }
-  [[nodiscard]] const EntryCone<T>& cone() const { return world.laser_cone; }
+  [[nodiscard]] const EntryCone<T>& cone() const { return world.walks.laser_cone; }
 
   /// met(mask, meeting), flown(mask, segment): as of begin_at_facets().
   template <class Met, class Flown>
   Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record, Met met,
                  Flown flown) {
     const auto u = this->draw(walk, Index<T>(0), 0);
-    const T n(gather<T>(world.sea.index, Index<T>(0)));
-    if (enters_through_waves(world, world.laser_region))
+    const T n(gather<T>(world.slabs.index, Index<T>(0)));
+    if (enters_through_waves(world.slabs, world.instruments.laser_region))
       return birth_through_waves(walk, exist, u, met);
-    auto birth = world.laser.collimated
-                     ? birth_at_collimated_laser(world.sea, world.laser, world.laser_region, cone(),
-                                                 n, u[0], u[1])
-                     : birth_at_laser(world.sea, world.laser, world.laser_region, cone(),
-                                      draw_entry(cone(), n, n, u[0], u[1]));
-    if (world.laser.collimated) birth.own = birth.exists;
-    if (!world.sea.surface.one_direction_each) {
+    auto birth =
+        world.instruments.laser.collimated
+            ? birth_at_collimated_laser(world.slabs, world.instruments.laser,
+                                        world.instruments.laser_region, cone(), n, u[0], u[1])
+            : birth_at_laser(world.slabs, world.instruments.laser, world.instruments.laser_region,
+                             cone(), draw_entry(cone(), n, n, u[0], u[1]));
+    if (world.instruments.laser.collimated) birth.own = birth.exists;
+    if (!world.slabs.surface.one_direction_each) {
       const auto lost = begin_at_facets(
-          world.sea, cone(), u[2], false, birth,
+          world.slabs, cone(), u[2], false, birth,
           [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); }, met, flown);
       book(ledger.oil, exist, lost.into_film);
       book(ledger.escaped, exist, lost.weight - lost.into_film);
@@ -70,11 +71,12 @@ struct FromLaser : WalkDraws<T> {
   template <class Met>
   Birth<T> birth_through_waves(const Index<T>& walk, const Mask<T>& exist,
                                const std::array<T, 4>& u, Met met) {
-    auto entry = entry_of_laser(world.laser, world.laser_region, u[0], u[1]);
+    auto entry =
+        entry_of_laser(world.instruments.laser, world.instruments.laser_region, u[0], u[1]);
     const auto v = this->draw(walk, Index<T>(0), 1);
     entry.u_slope = v[0], entry.u_azimuth = v[1];
     auto birth = estimator::birth_through_waves(
-        world.sea, world.laser_region, cone(), entry, false, Index<T>(0), u[2], u[3],
+        world.slabs, world.instruments.laser_region, cone(), entry, false, Index<T>(0), u[2], u[3],
         [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); }, met);
     book_way_in(walk, exist, u, select(birth.exists, birth.photon.weight, T(0)));
     return birth;
@@ -83,7 +85,7 @@ struct FromLaser : WalkDraws<T> {
   void book_way_in(const Index<T>& walk, const Mask<T>& exist, const std::array<T, 4>& u,
                    const T& weight) {
     T escaped = T(1) - weight;
-    if (world.sea.surface.absorbs) [[unlikely]] {
+    if (world.slabs.surface.absorbs) [[unlikely]] {
       const T absorbed = absorbed_on_way_in(world, u[0], u[1], [this, walk](std::uint32_t block) {
         return this->draw(walk, Index<T>(0), block);
       });
@@ -97,7 +99,7 @@ struct FromLaser : WalkDraws<T> {
     return of_own_rays ? !birth.exists : Mask<T>(false);
   }
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
-    return estimator::in_time(world, photon);
+    return estimator::in_time(world.instruments, photon);
   }
 };
 
@@ -110,34 +112,34 @@ struct FromTelescope : WalkDraws<T> {
 
   [[nodiscard]] std::int32_t instrument() const { return of_telescope(receiver.telescope); }
   [[nodiscard]] const EntryCone<T>& cone() const {
-    return world.telescope_cones[receiver.telescope];
+    return world.walks.telescope_cones[receiver.telescope];
   }
 
   template <class Met, class Flown>
   Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record, Met met,
                  Flown flown) {
-    const auto& telescope = world.telescopes[receiver.telescope];
+    const auto& telescope = world.instruments.telescopes[receiver.telescope];
     const auto u = this->draw(walk, Index<T>(0), 0);
     record.lens = lens_point(telescope, u[0], u[1]);
     const auto v = this->draw(walk, Index<T>(0), 1);
     record.grid_offset = v[0];
-    record.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
+    record.connected = select(v[1] < world.walks.connected, Index<T>(1), Index<T>(0));
     record.line = line_of(medium::spectral_bin_of(v[2]));
-    if (enters_through_waves(world, receiver.region))
+    if (enters_through_waves(world.slabs, receiver.region))
       return birth_through_waves(walk, record, u, met);
-    const auto ray = draw_entry(cone(), gather<T>(world.sea.index, record.line),
-                                gather<T>(world.sea.index, Index<T>(0)), u[2], u[3]);
+    const auto ray = draw_entry(cone(), gather<T>(world.slabs.index, record.line),
+                                gather<T>(world.slabs.index, Index<T>(0)), u[2], u[3]);
     record.outward = ray.outside;
     record.translation_area = translation_area(world, telescope, receiver.region, record.outward);
-    auto birth = birth_at_telescope(world.sea, telescope, receiver.region, cone(), ray, record.line,
-                                    record.lens);
-    record.telescope = world.groups[receiver.group].narrowest(birth.sight);
+    auto birth = birth_at_telescope(world.slabs, telescope, receiver.region, cone(), ray,
+                                    record.line, record.lens);
+    record.telescope = world.instruments.groups[receiver.group].narrowest(birth.sight);
     if (!cone().even_outside) birth.exists = exist;
-    if (!world.sea.surface.one_direction_each) {
+    if (!world.slabs.surface.one_direction_each) {
       const auto w = this->draw(walk, Index<T>(0), 2);
       birth.entry.u_choice = w[0], birth.entry.u_slope = w[1], birth.entry.u_azimuth = w[2];
       begin_at_facets(
-          world.sea, cone(), v[3], true, birth,
+          world.slabs, cone(), v[3], true, birth,
           [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); }, met, flown);
     }
     record.own = birth.own;
@@ -146,7 +148,7 @@ struct FromTelescope : WalkDraws<T> {
   template <class Met>
   Birth<T> birth_through_waves(const Index<T>& walk, BirthRecord<T>& record,
                                const std::array<T, 4>& u, Met met) {
-    const auto& telescope = world.telescopes[receiver.telescope];
+    const auto& telescope = world.instruments.telescopes[receiver.telescope];
     const auto w = this->draw(walk, Index<T>(0), 2);
     const auto point = transport::point_seen(telescope, record.lens, w[0], w[1]);
     instrument::Sight<T> sight;
@@ -157,21 +159,21 @@ struct FromTelescope : WalkDraws<T> {
     entry.u_slope = w[2], entry.u_azimuth = w[3];
     record.outward = entry.outside;
     record.translation_area = translation_area(world, telescope, receiver.region, record.outward);
-    record.telescope = world.groups[receiver.group].narrowest(sight);
+    record.telescope = world.instruments.groups[receiver.group].narrowest(sight);
     return estimator::birth_through_waves(
-        world.sea, receiver.region, cone(), entry, true, record.line, u[2], u[3],
+        world.slabs, receiver.region, cone(), entry, true, record.line, u[2], u[3],
         [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); }, met);
   }
   [[nodiscard]] static Mask<T> left_out(const Birth<T>& birth) { return !birth.exists; }
   /// The line that a walk of a spectral_bin detects.
   [[nodiscard]] Index<T> line_of(const Index<T>& spectral_bin) const {
     if (receiver.band < 0) return receiver.line;
-    return gather_index<T>(world.sea.line_of_spectral_bin,
+    return gather_index<T>(world.slabs.line_of_spectral_bin,
                            Index<T>(receiver.band * medium::spectral_bins) + spectral_bin);
   }
   /// Returns whether light can still come from the laser within the last gate.
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
-    return receiver.deadline.is_met(photon, world.min_group_index);
+    return receiver.deadline.is_met(photon, world.instruments.min_group_index);
   }
 };
 
@@ -182,23 +184,26 @@ class Bidirectional {
   /// `at_once`: so many sets of walks.
   Bidirectional(const World<T>& world, std::size_t at_once)
       : world_(world),
-        at_once_(at_once * world.walks),
-        laser_(at_once_, false, comes_through_flat(world, world.laser_region), world.sea) {
-    for (const auto& group : world.groups)
-      back_.emplace_back(at_once_, true, comes_through_flat(world, group.region), world.sea);
+        at_once_(at_once * world.walks.laser_walks),
+        laser_(at_once_, false, comes_through_flat(world.slabs, world.instruments.laser_region),
+               world.slabs) {
+    for (const auto& group : world.instruments.groups)
+      back_.emplace_back(at_once_, true, comes_through_flat(world.slabs, group.region),
+                         world.slabs);
   }
 
   /// Photons `first` … `first + count - 1`, the first of a batch and up.
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) {
-    const auto laser = draws_of_laser(world_, first);
+    const auto laser = draws_of_laser<T>(world_.random, first);
     std::vector<WantedReceiver> back;
-    for (const Receiver<T>& receiver : world_.receivers)
-      if (is_wanted(receiver, tally)) back.push_back({receiver, draws_of(world_, receiver, first)});
+    for (const Receiver<T>& receiver : world_.walks.receivers)
+      if (is_wanted(receiver, tally))
+        back.push_back({receiver, draws_of<T>(world_.random, receiver, first)});
     Ledger ledger;
     for (std::size_t done = 0; done < count;) {
       // The last set may have fewer walks, and then fewer samples are made.
       const std::size_t left = count - done;
-      const std::size_t walks = std::min(world_.walks, left);
+      const std::size_t walks = std::min(world_.walks.laser_walks, left);
       const std::size_t now = std::min(at_once_, left / walks * walks);
       follow(static_cast<std::int32_t>(done), now, walks, laser, back, ledger, tally);
       done += now;
@@ -207,8 +212,8 @@ class Bidirectional {
   }
 
  private:
-  static bool comes_through_flat(const World<T>& world, const geometry::Region<T>& region) {
-    return region.in_air && world.sea.surface.one_direction_each;
+  static bool comes_through_flat(const geometry::Slabs& sea, const geometry::Region<T>& region) {
+    return region.outside && sea.surface.one_direction_each;
   }
 
   /// A receiver whose light is asked for, and the random numbers of its walks.
@@ -220,7 +225,7 @@ class Bidirectional {
     if (receiver.band < 0) return tally.wants(receiver.telescope, each_lane(receiver.line)[0]);
     for (std::int32_t spectral_bin = 0; spectral_bin < medium::spectral_bins; ++spectral_bin) {
       const std::int32_t line =
-          world_.sea.line_of_spectral_bin[receiver.band * medium::spectral_bins + spectral_bin];
+          world_.slabs.line_of_spectral_bin[receiver.band * medium::spectral_bins + spectral_bin];
       if (tally.wants(receiver.telescope, line)) return true;
     }
     return false;
@@ -230,15 +235,15 @@ class Bidirectional {
               const std::vector<WantedReceiver>& back, Ledger& ledger, tally::BatchTally& tally) {
     // An echo is per photon emitted, and so are the samples.
     const Samples<T> samples{T(1),
-                             world_.connected,
+                             world_.walks.connected,
                              T(walks),
-                             T(world_.uses.rotated ? walks : 0),
-                             world_.meeting_grid,
-                             world_.free_telescope,
-                             world_.free_laser};
+                             T(world_.walks.uses.rotated ? walks : 0),
+                             world_.walks.meeting_grid,
+                             world_.walks.free_telescope,
+                             world_.walks.free_laser};
     FromLaser<T, Ledger> from_laser{{laser, first}, world_, ledger};
     WalkTracer(world_, samples, from_laser, laser_, tally).trace(count);
-    if (!world_.laser_cone.exact && any(samples.free_laser.most > T(0))) {
+    if (!world_.walks.laser_cone.exact && any(samples.free_laser.most > T(0))) {
       Ledger of_no_light;
       FromLaser<T, Ledger> others{{laser, first}, world_, of_no_light, false};
       WalkTracer(world_, samples, others, laser_, tally).trace(count);

@@ -56,7 +56,7 @@ Birth<T> birth_in_water(const medium::MediumView& sea, const geometry::Region<T>
   birth.photon.layer = region.layer;
   birth.spread.solid_angle = ray.solid_angle;
   birth.spread.before = before;
-  if (!region.in_air) return birth;
+  if (!region.outside) return birth;
   const T cos_air = T(0) - ray.outside.z;
   const T distance = start.z / cos_air;
   birth.photon.position = {start.x + distance * ray.outside.x, start.y + distance * ray.outside.y,
@@ -137,7 +137,7 @@ Birth<T> birth_at_telescope(const medium::MediumView& sea,
   birth.photon.weight = birth.photon.weight * (telescope.area() * cos_off_axis * ray.solid_angle);
   if (telescope.above_air)
     birth.photon.path = longer_way(telescope, birth.photon.position, lens, birth.spread.before);
-  if (!region.in_air) return birth;
+  if (!region.outside) return birth;
   const T inverse_n = gather<T>(sea.inverse_index, line);
   birth.photon.weight = birth.photon.weight * (inverse_n * inverse_n);
   birth.photon.path = longer_way(telescope, birth.photon.position, lens, birth.spread.before) +

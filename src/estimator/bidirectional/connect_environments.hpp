@@ -23,7 +23,7 @@ PHOTIC_APART void Connections<T>::complete_to_telescope(const Pairing<T>& pairin
 /// By a way to an instrument: the surface, and the air above it.
 template <class T>
 void Connections<T>::complete_entry(const Index<T>& line, const geometry::Sightline<T>& way) {
-  if (!way.to.in_air) return;
+  if (!way.to.outside) return;
   if (sea_.surface.differs_in_environments)
     completion_.surface.meet(sea_, meeting_along(sea_, line, way));
   add_air(way.to, line, way.arriving.z, completion_.ways);

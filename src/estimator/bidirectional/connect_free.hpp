@@ -24,7 +24,7 @@ FreeStart<T> free_start(const EntryCone<T>& cone, const Vec3<T>& position, const
   const Spot<T>& spot = cone.spot;
   const T steep = T(0) - cone.outside.z;
   const T per_height = select(steep > T(0), T(1) / select(steep > T(0), steep, T(1)), T(0));
-  const T lift = cone.in_air ? lens.z * per_height : T(0);
+  const T lift = cone.begins_outside ? lens.z * per_height : T(0);
   return {position.x - (spot.x + lens.x + lift * cone.outside.x + way_down * spot.x_per_depth),
           position.y - (spot.y + lens.y + lift * cone.outside.y + way_down * spot.y_per_depth),
           spot.radius + way_down * spot.radius_per_depth,
@@ -33,10 +33,10 @@ FreeStart<T> free_start(const EntryCone<T>& cone, const Vec3<T>& position, const
 /// The depth that a first way to a point goes through: from the surface, or from the place in the
 /// water that light spreads from, perhaps by way of the surface.
 template <class T>
-T way_down_of(bool in_air, const Vec3<T>& from, const Vec3<T>& to, const Mask<T>& by_surface) {
+T way_down_of(bool outside, const Vec3<T>& from, const Vec3<T>& to, const Mask<T>& by_surface) {
   using std::abs;
   const T depth = geometry::depth_of(to);
-  if (in_air) return depth;
+  if (outside) return depth;
   const T begins = geometry::depth_of(from);
   return select(by_surface, depth + begins, T(abs(depth - begins)));
 }
@@ -47,7 +47,7 @@ Mask<T> Connections<T>::may_be_free(const Walks<T>& walks, std::int32_t instrume
                                     const Index<T>& walk) const {
   if (sea_.surface.one_direction_each) return Mask<T>(true);
   return (walks.birth_record(walk).spread.solid_angle > T(0)) &
-         world_.cone(instrument).frees(walks.vertex(walk, Index<T>(0)).direction);
+         world_.walks.cone(instrument).frees(walks.vertex(walk, Index<T>(0)).direction);
 }
 
 template <class T>
@@ -61,17 +61,18 @@ FreeStart<T> Connections<T>::free_telescope_start(std::size_t back) const {
   const auto birth = back_.birth_record_in_all_lanes(back);
   const Vertex first = back_.vertex_in_all_lanes(back, 0);
   const Vec3<T> lens = in_plane(telescope_, birth.lens);
-  return free_start(world_.cone(instrument()), first.position, first.path,
-                    way_down_of(receiver_.region.in_air, telescope_.position, first.position,
+  return free_start(world_.walks.cone(instrument()), first.position, first.path,
+                    way_down_of(receiver_.region.outside, telescope_.position, first.position,
                                 comes_by_surface(first, birth.outward.z)),
                     lens);
 }
 template <class T>
 FreeStart<T> Connections<T>::free_laser_start(const Index<T>& laser) const {
   const Vertex first = laser_.vertex(laser, Index<T>(0));
-  return free_start(world_.laser_cone, first.position, first.path,
-                    way_down_of(world_.laser_region.in_air, fictitious_vertex(world_.laser),
-                                first.position, comes_by_surface(first, world_.laser.axis.z)),
+  return free_start(world_.walks.laser_cone, first.position, first.path,
+                    way_down_of(world_.instruments.laser_region.outside,
+                                fictitious_vertex(world_.instruments.laser), first.position,
+                                comes_by_surface(first, world_.instruments.laser.axis.z)),
                     {T(0), T(0), T(0)});
 }
 
@@ -108,7 +109,7 @@ void Connections<T>::free_meetings(const RayPairing<T>& pairing, const Mask<T>& 
   };
   each_point(mask & chord.exists & meet, chord.from, chord.to, Index<T>(0));
   if (!comes_to_bed()) return;
-  const T bed = world_.deepest;
+  const T bed = world_.walks.deepest;
   const auto there = line.at(bed);
   each_point(mask & (out_line.rise < T(0)) & (back_line.rise < T(0)) &
                  (there.x * there.x + there.y * there.y < start.radius * start.radius),
@@ -154,7 +155,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_telescope(FreePairin
   }
   const Vec3<T> at_lens = in_space(telescope_, pair.birth.lens);
   const Mask<T> by_surface = comes_by_surface(first, pair.birth.outward.z);
-  for (const auto route : geometry::routes_to(receiver_.region.in_air)) {
+  for (const auto route : geometry::routes_to(receiver_.region.outside)) {
     const Mask<T> by = route == geometry::Route::direct ? mask & !by_surface : mask & by_surface;
     if (!any(by)) continue;
     const Vec3<T> at = first.position + moved;
@@ -181,13 +182,13 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const RayP
                    leaving.direction));
   const T per_p = T(1) / (p * leaving.per_p);
   const auto drawn = [&](const T& value) {
-    return world_.inverse_conversion.scattered_over_phase(sea_, first.layer, leaving.direction,
-                                                          value);
+    return world_.walks.inverse_conversion.scattered_over_phase(sea_, first.layer,
+                                                                leaving.direction, value);
   };
   const T chance =
       select(converts, per_p,
              select(first.line == Index<T>(0), T(drawn(p) / drawn(T(1) / leaving.per_p)), T(1)));
-  const auto& cone = world_.cone(instrument());
+  const auto& cone = world_.walks.cone(instrument());
   const auto tau = geometry::optical_depths(sea_, edge.in_water);
   auto met = this->met(pair);
   met.telescope = edge.telescope;
@@ -202,8 +203,9 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const RayP
   back.position = back.position + moved;
   met.back = &back;
   if (all(receiver_.line == Index<T>(0))) {  // the pivot is the first vertex
-    const Mask<T> rotates =
-        world_.uses.rotated_scattered ? leads_aside(arriving, leaving.direction) : Mask<T>(false);
+    const Mask<T> rotates = world_.walks.uses.rotated_scattered
+                                ? leads_aside(arriving, leaving.direction)
+                                : Mask<T>(false);
     met.own_axis = {rotates, first.position.x, first.position.y};
     met.rotates_anew = true;
     met.axis = met.own_axis;
@@ -236,16 +238,17 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_laser(FreePairing<T>
   if (!sea_.surface.one_direction_each) {
     const auto entry =
         entry_to(world_, of_laser, Index<T>(0), at, laser_.entry(pairing.laser), {}, true, may);
-    const auto way = sightline_along(entry, world_.laser_region);
+    const auto way = sightline_along(entry, world_.instruments.laser_region);
     return free_laser_by(pairing, pair, first, moved, way,
                          way_to_laser(may, at, first.layer, way, entry));
   }
-  const Mask<T> by_surface = comes_by_surface(first, world_.laser.axis.z);
-  for (const auto route : geometry::routes_to(world_.laser_region.in_air)) {
+  const Mask<T> by_surface = comes_by_surface(first, world_.instruments.laser.axis.z);
+  for (const auto route : geometry::routes_to(world_.instruments.laser_region.outside)) {
     const Mask<T> by = route == geometry::Route::direct ? may & !by_surface : may & by_surface;
     if (!any(by)) continue;
-    const auto way = geometry::sightline(sea_, at, Index<T>(0), fictitious_vertex(world_.laser),
-                                         world_.laser_region, route, by);
+    const auto way =
+        geometry::sightline(sea_, at, Index<T>(0), fictitious_vertex(world_.instruments.laser),
+                            world_.instruments.laser_region, route, by);
     free_laser_by(pairing, pair, first, moved, way, way_to_laser(by, at, first.layer, way));
   }
 }

@@ -22,8 +22,9 @@ MeetingPoint<T> Connections<T>::meeting_point(const Met<T>& met, const Mask<T>& 
   const auto tau_out = depths_along(sea_, out, level, at.length_out);
   const auto tau_back = depths_along(sea_, back, level, at.length_back);
   at.tau = tau_out.all + tau_back.all;
-  at.reach_out = world_.laser_cone.reach(first, tau_out.walk, out.direction.z, at.bed);
-  at.reach_back = world_.cone(instrument()).reach(last, tau_back.walk, back.direction.z, at.bed);
+  at.reach_out = world_.walks.laser_cone.reach(first, tau_out.walk, out.direction.z, at.bed);
+  at.reach_back =
+      world_.walks.cone(instrument()).reach(last, tau_back.walk, back.direction.z, at.bed);
   at.converts = line > Index<T>(0);
   at.coefficient =
       select(at.converts, gather<T>(sea_.conversion, here) * gather<T>(sea_.c.first, place),
@@ -150,8 +151,8 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
                       walk_c_ratio<T>(sea_, back.line, place) *
                           side.connecting(sea_, at.length_back, samples_) * at.reach_out;
   const T goes_on =
-      back.chance * world_.inverse_conversion.goes_on(sea_, back.line, place, pairing.m,
-                                                      at.converts, -out.direction, at.p);
+      back.chance * world_.walks.inverse_conversion.goes_on(sea_, back.line, place, pairing.m,
+                                                            at.converts, -out.direction, at.p);
   // Walks that meet where a ray begins that facets have sent back do not come by what is behind.
   T by_out = at.reach_back, by_back = at.reach_out;
   if (!sea_.surface.one_direction_each) {

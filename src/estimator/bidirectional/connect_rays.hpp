@@ -40,7 +40,7 @@ void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::
     const Index<T> i = gather_index<T>(ray_of_.data(), k);
     const auto out_line = depth_line_of(laser_.ray(laser, i));
     const auto image = facets ? depth_line_of(laser_.behind_facets(laser, i))
-                              : reflected(out_line, world_.deepest);
+                              : reflected(out_line, world_.walks.deepest);
     const Mask<T> returns =
         mask & (facets ? laser_.is_sent_back(laser, i) : Mask<T>(out_line.rise > T(0)));
     for (std::int32_t m = 0; m < back_.rays(back); ++m) {
@@ -53,7 +53,7 @@ void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::
       const bool back_returns = facets ? back_.is_sent_back(back, m) : all(back_line.rise > T(0));
       const auto back_image = facets && back_returns
                                   ? depth_line_of(back_.behind_facets_in_all_lanes(back, m))
-                                  : reflected(back_line, world_.deepest);
+                                  : reflected(back_line, world_.walks.deepest);
       for (std::int32_t which = 0; which < (back_returns ? 4 : 2); ++which) {
         const Mask<T> some = which % 2 == 0 ? in_time : in_time & returns;
         if (any(some))
@@ -69,7 +69,7 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
                                              std::size_t back, Moves moves) {
   const auto birth = back_.birth_record_in_all_lanes(back);
   const bool own = back_.is_own(back);
-  const bool translates = world_.uses.translated && includes(moves, Moves::translations) &&
+  const bool translates = world_.walks.uses.translated && includes(moves, Moves::translations) &&
                           any(birth.translation_area > T(0));
   const bool rotates = own && includes(moves, Moves::rotations) && any(samples_.rotated > T(0)) &&
                        back_.pivot_vertex(back) >= 0;
@@ -144,7 +144,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meetings_on_bed(std::size_t fir
                                                                  std::size_t back) {
   const auto birth = back_.birth_record_in_all_lanes(back);
   const auto start = at_lens(birth, back_.line(Index<T>(back)));
-  const T bed = world_.deepest;
+  const T bed = world_.walks.deepest;
   const T radius = telescope_.lens_radius;
   each_pair(first_laser, walks, back,
             [&](const auto& pairing, const auto& mask, const DepthLine& out_line,
@@ -261,7 +261,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_met_on_bed(const RayPairi
   pair.lens = chord_of(depth_line_of(pair.out), depth_line_of(pair.back), pairing.m,
                        at_lens(pair.birth, back_.line(pairing.back)))
                   .lens;
-  meet_translated(pair, mask, world_.deepest, Index<T>(sea_.layers));
+  meet_translated(pair, mask, world_.walks.deepest, Index<T>(sea_.layers));
 }
 
 /// Rays that meet at a depth, if the telescope's walk then comes through the lens and is seen.
@@ -328,7 +328,7 @@ void Connections<T>::rotate_pivot(const RayPairing<T>& pairing, const Rotation<T
   met.gain = pivot.per_p * of_pivot;
   if (any(receiver_.line > Index<T>(0))) return;
   const auto chance = [&](const Vec3<T>& direction, const T& value) {
-    return world_.inverse_conversion.scattered_over_phase(sea_, layer, direction, value);
+    return world_.walks.inverse_conversion.scattered_over_phase(sea_, layer, direction, value);
   };
   const T gained = chance(rotated, p) / chance(pivot.leaving, p_before);
   met.gain = met.gain * gained;

@@ -29,7 +29,7 @@ FirstLeg<T> Connections<T>::first_leg(const BirthRecord<T>& birth, const Index<T
   using std::abs;
   const Vertex v = back_.vertex(back, Index<T>(0));
   T from(0);
-  if (telescope_.submerged) {
+  if (telescope_.inside) {
     const T lens = in_space(telescope_, birth.lens).z;
     from = select(birth.outward.z * v.direction.z < T(0), T(-lens), lens);  // or its image
   }
@@ -71,7 +71,7 @@ PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
   const Index<T> here = sea_.at(line, receiver_.region.layer);
   const Mask<T> first = pairing.m == Index<T>(0);
   T growth(1);  // of the walks' draws along it
-  if (telescope_.submerged) {
+  if (telescope_.inside) {
     const Mask<T> straight = back_.facets(pairing.back) == Index<T>(0);
     length = select(first & straight, T(0), length);  // such first rays have been moved
     met.gain = exp_minus(length * gather<T>(sea_.c.first, here));
@@ -79,13 +79,14 @@ PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
   }
   met.longer = length;
   back.path = back.path + length * at_lens(birth, line).index;
-  if (enters_through_waves(world_, receiver_.region)) return lengthen_to_entry(pairing, first, met);
+  if (enters_through_waves(world_.slabs, receiver_.region))
+    return lengthen_to_entry(pairing, first, met);
   met.back_spread.before = met.back_spread.before + length;
   if (all(first)) return;
   const FirstLeg<T> way = first_leg(birth, pairing.back);
   const auto area = [&](const T& more) {
     auto spread = birth.spread;
-    spread.through_surface = !telescope_.submerged;
+    spread.through_surface = !telescope_.inside;
     spread.before = spread.before + more;
     return area_per_solid_angle(sea_, spread, line, way.length, way.steep);
   };
@@ -110,7 +111,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const RayPair<T>& p
   translate(met, in_plane(telescope_, aside) + longer * outward);
   if (!sea_.surface.one_direction_each) met.lens = lens;
   Ray back = pair.back;
-  if (telescope_.submerged) {  // there a first ray begins at the lens, or at facets
+  if (telescope_.inside) {  // there a first ray begins at the lens, or at facets
     const Mask<T> at_lens = (pair.pairing.m + back_.facets(pair.pairing.back)) == Index<T>(0);
     const T begins = select(at_lens, longer, T(0));
     back.position = pair.back.position - begins * pair.back.direction;

@@ -24,10 +24,10 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
   const auto in_path = usable(pairing.i + Index<T>(1));
   const Vertex v = laser_.in_path(pairing.laser, pairing.i, in_path);
   const Mask<T> wanted = mask & emits(line, v.layer);
-  if (enters_through_waves(world_, receiver_.region)) {
+  if (enters_through_waves(world_.slabs, receiver_.region)) {
     const auto own = back_.entry(pairing.back);
     for (const bool by_slopes : {false, true}) {
-      if (by_slopes && !world_.cone(instrument()).enters_by_slopes) break;
+      if (by_slopes && !world_.walks.cone(instrument()).enters_by_slopes) break;
       const auto entry =
           entry_to(world_, instrument(), line, v.position, own, birth.lens, by_slopes, wanted);
       score_to_telescope(
@@ -42,7 +42,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
       wanted & transport::may_see(sea_, telescope_, v.position, line, birth.lens);
   if (!any(may_be_seen)) return;
   const Vec3<T> at = in_space(telescope_, birth.lens);
-  for (const auto route : geometry::routes_to(receiver_.region.in_air)) {
+  for (const auto route : geometry::routes_to(receiver_.region.outside)) {
     if (!sea_.surface.one_direction_each && geometry::meets_surface(receiver_.region, route))
       return;
     const auto way =
@@ -70,10 +70,10 @@ PHOTIC_APART void Connections<T>::score_by_facet(Pairing<T> pairing, const Verte
   const Freedom<T> none{T(0), RotationAxis<T>{}};
   const ConnectionEnd from =
       all(line == Index<T>(0))
-          ? scattering_from_laser(sea_, v, T(0), way.direction, world_.inverse_conversion, T(1),
-                                  none)
-          : conversion_from_laser(sea_, v, T(0), way.direction, line, world_.inverse_conversion,
-                                  Index<T>(0), T(1), T(1), none);
+          ? scattering_from_laser(sea_, v, T(0), way.direction, world_.walks.inverse_conversion,
+                                  T(1), none)
+          : conversion_from_laser(sea_, v, T(0), way.direction, line,
+                                  world_.walks.inverse_conversion, Index<T>(0), T(1), T(1), none);
   const auto in_path = usable(pairing.i + Index<T>(1));
   score(pairing, Technique::laser, seen,
         {from.weight * from.contribution * way.acceptance * exp_minus(way.optical_depth) /
@@ -100,7 +100,7 @@ EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask, const 
   edge.path = transport::longer_in_air(telescope_, way, line, lens) +
               transport::path_in_water(sea_, telescope_, way, from, edge.in_water, lens);
   const T solid_angle =
-      world_.cone(instrument())
+      world_.walks.cone(instrument())
           .solid_angle_outside(gather<T>(sea_.index, line), -way.direction, -way.arriving);
   edge.area = solid_angle * way.area_per_solid_angle / way.index_squared;
   edge.weight =
@@ -135,7 +135,7 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
   if (!any(seen)) return;
   const T depth = geometry::depth_of(v.position);
   const auto tau = geometry::optical_depths(sea_, edge.in_water);
-  const auto& cone = world_.cone(instrument());
+  const auto& cone = world_.walks.cone(instrument());
   const T reach = cone.reach(Mask<T>(true), tau.walk, way.direction.z, on_bed(v.layer));
   const auto in_path = usable(pairing.i + Index<T>(1));
   const bool elastic = all(line == Index<T>(0));
@@ -152,10 +152,11 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
   const Freedom<T> here{freedom.at_last, axis_at(v.position, way.direction, v.direction)};
   const T behind = behind_laser_vertex(pairing, v, in_path, freedom, here.axis);
   const ConnectionEnd from =
-      elastic ? scattering_from_laser(sea_, v, behind, way.direction, world_.inverse_conversion,
-                                      T(1), here)
-              : conversion_from_laser(sea_, v, behind, way.direction, line,
-                                      world_.inverse_conversion, Index<T>(0), T(1), T(1), here);
+      elastic
+          ? scattering_from_laser(sea_, v, behind, way.direction, world_.walks.inverse_conversion,
+                                  T(1), here)
+          : conversion_from_laser(sea_, v, behind, way.direction, line,
+                                  world_.walks.inverse_conversion, Index<T>(0), T(1), T(1), here);
   const T area = samples_.to_instrument * from.chance * edge.area + from.meeting;
   score(pairing, Technique::laser, seen,
         {from.weight * edge.weight *
@@ -166,7 +167,7 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
 
 template <class T>
 void Connections<T>::to_laser(std::size_t walk) {
-  if (!world_.uses.to_laser) return;
+  if (!world_.walks.uses.to_laser) return;
   lanes::each_index<T>(back_.vertices(walk), [&](const Index<T>& m, const Mask<T>& mask) {
     to_laser_.push(mask, pairing_of<T>(walk, Index<T>(0), walk, m),
                    [this](const auto& e, const auto& all) { serve_to_laser(e, all); });
@@ -176,28 +177,29 @@ void Connections<T>::to_laser(std::size_t walk) {
 template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>& pairing,
                                                                 const Mask<T>& mask) {
-  const auto& laser = world_.laser;
+  const auto& laser = world_.instruments.laser;
   const Vertex w = back_.in_path(pairing.back, pairing.m, usable(pairing.m + Index<T>(1)));
   Mask<T> wanted = mask & emits(w.line, w.layer);
   if (!sea_.surface.one_direction_each) wanted = wanted & !is_scored_by_facet(pairing);
   const Index<T> line(0);
-  if (enters_through_waves(world_, world_.laser_region)) {
+  if (enters_through_waves(world_.slabs, world_.instruments.laser_region)) {
     const auto own = laser_.entry(pairing.laser);
     for (const bool by_slopes : {false, true}) {
-      if (by_slopes && !world_.laser_cone.enters_by_slopes) break;
+      if (by_slopes && !world_.walks.laser_cone.enters_by_slopes) break;
       const auto entry = entry_to(world_, of_laser, line, w.position, own, {}, by_slopes, wanted);
-      const auto way = sightline_along(entry, world_.laser_region);
+      const auto way = sightline_along(entry, world_.instruments.laser_region);
       score_to_laser(pairing, w, way, way_to_laser(wanted, w.position, w.layer, way, entry));
     }
     return;
   }
   const Vec3<T> vertex = fictitious_vertex(laser);
-  for (const auto route : geometry::routes_to(world_.laser_region.in_air)) {
+  for (const auto route : geometry::routes_to(world_.instruments.laser_region.outside)) {
     // Light that facets of waves send down to a vertex is left to the laser's walks.
-    if (!sea_.surface.one_direction_each && geometry::meets_surface(world_.laser_region, route))
+    if (!sea_.surface.one_direction_each &&
+        geometry::meets_surface(world_.instruments.laser_region, route))
       return;
-    const auto way =
-        geometry::sightline(sea_, w.position, line, vertex, world_.laser_region, route, wanted);
+    const auto way = geometry::sightline(sea_, w.position, line, vertex,
+                                         world_.instruments.laser_region, route, wanted);
     score_to_laser(pairing, w, way, way_to_laser(wanted, w.position, w.layer, way));
   }
 }
@@ -207,16 +209,16 @@ template <class T>
 WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& from,
                                            const Index<T>& place,
                                            const geometry::Sightline<T>& way) const {
-  const auto& laser = world_.laser;
-  const auto& cone = world_.laser_cone;
+  const auto& laser = world_.instruments.laser;
+  const auto& cone = world_.walks.laser_cone;
   const Index<T> line(0);
   const T x = one_minus_cos(-way.arriving, laser.axis);
   // The way from the disc on; the fictitious vertex lies behind it.
   const T hidden = laser.vertex_distance / (T(1) - x);
-  const T air = way.to.in_air ? longer_from_disc(laser, way.crossing, way.length_air, x) +
-                                    way.to.delay(line, way.arriving.z)
-                              : T(0);
-  const T length = way.to.in_air ? way.length_water : way.length_water - hidden;
+  const T air = way.to.outside ? longer_from_disc(laser, way.crossing, way.length_air, x) +
+                                     way.to.delay(line, way.arriving.z)
+                               : T(0);
+  const T length = way.to.outside ? way.length_water : way.length_water - hidden;
   WayToLaser<T> out;
   out.in_water =
       geometry::along(sea_, way, line, sea_.level(place, geometry::depth_of(from)), length);
@@ -250,7 +252,8 @@ WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& f
   if (!any(out.lit)) return out;
   const auto tau = geometry::optical_depths(sea_, out.in_water);
   out.tau = tau.all;
-  out.reach = world_.laser_cone.reach(Mask<T>(true), tau.walk, way.direction.z, on_bed(place));
+  out.reach =
+      world_.walks.laser_cone.reach(Mask<T>(true), tau.walk, way.direction.z, on_bed(place));
   out.area = entry.area;
   out.freed = entry.freed;
   out.weight = entry.weight;
@@ -280,7 +283,7 @@ void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
              back_.axis(pairing.back))};
   const T behind = back_.behind(w, pairing.back, pairing.m, in_path, freedom, here.axis);
   const ConnectionEnd to = arrival_from_laser(sea_, w, behind, way.direction,
-                                              world_.inverse_conversion, pairing.m, here);
+                                              world_.walks.inverse_conversion, pairing.m, here);
   const T area = samples_.to_instrument * to.chance * to_laser.area + to.meeting;
   score(pairing, Technique::telescope, lit,
         {to.weight * to_laser.weight *
@@ -293,7 +296,7 @@ void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
 
 template <class T>
 void Connections<T>::between(std::size_t walk) {
-  if (!world_.uses.between) return;
+  if (!world_.walks.uses.between) return;
   lanes::each_index<T>(laser_.vertices(walk), [&](const Index<T>& i, const Mask<T>& mask) {
     const T path = laser_.vertex(Index<T>(walk), i).path;
     for (std::int32_t m = 0; m < back_.vertices(walk); ++m) {
@@ -345,11 +348,11 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>&
     const T behind = behind_laser_vertex(pairing, v, in_path, freedom, axis);
     const T behind_arrival = back_.behind(w, pairing.back, pairing.m, in_path, freedom, axis);
     const ConnectionEnd to =
-        arrival_from_laser(sea_, w, behind_arrival, -direction, world_.inverse_conversion,
+        arrival_from_laser(sea_, w, behind_arrival, -direction, world_.walks.inverse_conversion,
                            pairing.m, {freedom.at(Mask<T>(false), at_last), axis});
     along(pairing, arrives, Index<T>(0),
-          scattering_from_laser(sea_, v, behind, direction, world_.inverse_conversion, to.goes_on,
-                                {freedom.at(first, Mask<T>(false)), axis}),
+          scattering_from_laser(sea_, v, behind, direction, world_.walks.inverse_conversion,
+                                to.goes_on, {freedom.at(first, Mask<T>(false)), axis}),
           to, v, w, length, in_path);
   }
   const Mask<T> converts = mask & inelastic & emits(w.line, v.layer);
@@ -357,9 +360,10 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>&
     const auto freedom = freedom_of(w.line);
     const auto axis = axis_at(v.position, w.direction, v.direction);
     const T behind = behind_laser_vertex(pairing, v, in_path, freedom, axis);
-    const T goes_on = T(1) - world_.inverse_conversion.chance(sea_, w.line, w.layer, pairing.m);
+    const T goes_on =
+        T(1) - world_.walks.inverse_conversion.chance(sea_, w.line, w.layer, pairing.m);
     along(pairing, converts, w.line,
-          conversion_from_laser(sea_, v, behind, direction, w.line, world_.inverse_conversion,
+          conversion_from_laser(sea_, v, behind, direction, w.line, world_.walks.inverse_conversion,
                                 pairing.m + Index<T>(1), w.chance, w.chance * goes_on,
                                 {freedom.at(first, Mask<T>(false)), axis}),
           scattering_of_converted(sea_, w, -direction), v, w, length, in_path);

@@ -14,6 +14,7 @@
 #include "estimator/bidirectional/meet.hpp"
 #include "estimator/bidirectional/pairings.hpp"
 #include "estimator/bidirectional/walk.hpp"
+#include "estimator/event.hpp"
 #include "geometry/sightline.hpp"
 #include "lanes/each_score.hpp"
 #include "lanes/give_out.hpp"
@@ -39,17 +40,17 @@ class Connections {
   Connections(const World<T>& world, const Receiver<T>& receiver, const Samples<T>& samples,
               const Walks<T>& from_laser, const Walks<T>& from_telescope, tally::BatchTally& tally)
       : world_(world),
-        sea_(world.sea),
-        telescope_(world.telescopes[receiver.telescope]),
-        group_(world.groups[receiver.group]),
+        sea_(world.slabs),
+        telescope_(world.instruments.telescopes[receiver.telescope]),
+        group_(world.instruments.groups[receiver.group]),
         receiver_(receiver),
         samples_(samples),
         laser_(from_laser),
         back_(from_telescope),
         tally_(tally),
-        scores_(receiver.telescope, world.path_to_origin[receiver.telescope],
-                !world.groups[receiver.group].narrower.empty()),
-        ratios_(static_cast<std::size_t>(world.sea.environments.stride)) {}
+        scores_(receiver.telescope, world.instruments.path_to_origin[receiver.telescope],
+                !world.instruments.groups[receiver.group].narrower.empty()),
+        ratios_(static_cast<std::size_t>(world.slabs.environments.stride)) {}
 
   /// The laser's walk with the point of the lens of the telescope's that goes with it: the local
   /// estimate of a single ray.
@@ -174,7 +175,7 @@ class Connections {
                   const T& depth, const Index<T>& place, const T& contribution);
 
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
-    return {order, world_.max_vertices};
+    return {order, world_.walks.max_vertices};
   }
   /// The freedom of walks to be moved in paths of an order, whose last vertex is at a depth: by the
   /// lens, whose rays have an area, and by free areas of both walks. Before the last vertex only
@@ -209,16 +210,16 @@ class Connections {
   /// Returns whether an instrument's walks may be free: the depth of their first vertex has to be
   /// drawn whatever the ray.
   [[nodiscard]] bool frees(std::int32_t instrument) const {
-    return world_.cone(instrument).by_depth;
+    return world_.walks.cone(instrument).by_depth;
   }
   /// Returns whether walks of the laser are of its own light.
   [[nodiscard]] Mask<T> is_lit(const Index<T>& laser) const {
-    return world_.laser_cone.exact ? Mask<T>(true) : laser_.is_own(laser);
+    return world_.walks.laser_cone.exact ? Mask<T>(true) : laser_.is_own(laser);
   }
   /// Returns whether vertices can be connected to an instrument in a region: waves of one direction
   /// lead no ray of it to a given point.
   [[nodiscard]] bool connects(const geometry::Region<T>& region) const {
-    return sea_.surface.one_direction_each || sea_.surface.leads_anywhere || !region.in_air;
+    return sea_.surface.one_direction_each || sea_.surface.leads_anywhere || !region.outside;
   }
   [[nodiscard]] std::int32_t instrument() const { return of_telescope(receiver_.telescope); }
   /// The places on the bed, where places are asked for.
@@ -228,7 +229,7 @@ class Connections {
   /// `birth`: of a walk that detects a line.
   [[nodiscard]] AtLens<T> at_lens(const BirthRecord<T>& birth, const Index<T>& line) const {
     return {birth.lens, birth.outward,
-            receiver_.region.in_air
+            receiver_.region.outside
                 ? T(1)
                 : geometry::group_index_in<T>(sea_, line, receiver_.region.layer)};
   }
@@ -249,7 +250,7 @@ class Connections {
   }
   /// Returns whether there is a bed that reflects light within the gates.
   [[nodiscard]] bool comes_to_bed() const {
-    return sea_.bed_angles > 0 && all(world_.deepest >= T(sea_.top[sea_.layers]));
+    return sea_.bed_angles > 0 && all(world_.walks.deepest >= T(sea_.top[sea_.layers]));
   }
   /// The densities behind a vertex of the laser's walk, in a path whose walks may be moved so.
   [[nodiscard]] T behind_laser_vertex(const Pairing<T>& pairing, const Vertex& v,
@@ -258,7 +259,7 @@ class Connections {
     return v.reverse_chance * laser_.behind(v, pairing.laser, pairing.i, in_path, freedom, axis);
   }
   [[nodiscard]] DepthLine depth_line_of(const Ray& ray) const {
-    return depth_line(sea_, ray, world_.deepest);
+    return depth_line(sea_, ray, world_.walks.deepest);
   }
   /// The line of a telescope's ray m that may be translated: a first one may then begin elsewhere.
   [[nodiscard]] DepthLine translatable(DepthLine line, const Index<T>& m) const {
@@ -266,7 +267,7 @@ class Connections {
     const T most = select(m == Index<T>(0), T(2) * telescope_.lens_rise, T(0));
     const T from = line.from - most, to = line.to + most;
     line.from = select(from > T(0), from, T(0));
-    line.to = select(to < world_.deepest, to, world_.deepest);
+    line.to = select(to < world_.walks.deepest, to, world_.walks.deepest);
     return line;
   }
   /// The narrowest telescope that sees light seen by the one with the widest view.
@@ -280,8 +281,8 @@ class Connections {
   }
   /// Returns whether paths of an order can still be scored.
   [[nodiscard]] Mask<T> in_order(const Index<T>& order) const {
-    return order <= Index<T>(world_.last_order > 0 ? world_.last_order
-                                                   : std::numeric_limits<std::int32_t>::max());
+    return order <= Index<T>(world_.part.last_order > 0 ? world_.part.last_order
+                                                        : std::numeric_limits<std::int32_t>::max());
   }
   /// The depth where the light of a telescope's walk was last scattered.
   [[nodiscard]] T last_depth(const Index<T>& back) const {
@@ -291,8 +292,9 @@ class Connections {
   /// that have their last vertex there. Directions are those of the edges there.
   [[nodiscard]] RotationAxis<T> axis_at(const Vec3<T>& place, const Vec3<T>& telescope_edge,
                                         const Vec3<T>& laser_edge) const {
-    const Mask<T> scatters =
-        world_.uses.rotated_scattered ? leads_aside(telescope_edge, laser_edge) : Mask<T>(false);
+    const Mask<T> scatters = world_.walks.uses.rotated_scattered
+                                 ? leads_aside(telescope_edge, laser_edge)
+                                 : Mask<T>(false);
     return {Mask<T>((receiver_.line > Index<T>(0)) | scatters), place.x, place.y};
   }
   /// The same in paths whose pivot lies on the telescope's walk, where ray m and all that lies
@@ -338,15 +340,14 @@ class Connections {
   }
   [[nodiscard]] lanes::LaneScores<T> scores_of(const Pairing<T>& pairing, Technique technique,
                                                const FoundPath<T>& path) const {
-    using transport::Touched;
-    Index<T> touched(static_cast<std::int32_t>(sea_.upside_down ? Touched::air : Touched::water));
+    Index<T> touched(static_cast<std::int32_t>(touched_at_birth(sea_)));
     if (sea_.bed_angles > 0)
       touched =
           select(path.met_on_bed, Index<T>(static_cast<std::int32_t>(transport::Touched::bed)),
                  laser_.touched(pairing.laser, path.of_laser) |
                      back_.touched(pairing.back, path.of_telescope));
     return {path.telescope,
-            world_.path_to_origin[receiver_.telescope],
+            world_.instruments.path_to_origin[receiver_.telescope],
             transport::component_of<T>(sea_, back_.line(pairing.back), touched),
             path.order,
             transport::signed_depth(sea_, path.last),

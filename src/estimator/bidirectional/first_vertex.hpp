@@ -97,8 +97,8 @@ template <class T>
 T averaged_over_drawn(const World<T>& world, std::int32_t instrument, const Index<T>& line,
                       const Index<T>& place, const Mask<T>& scatters, const T& arriving_z,
                       const Vec3<T>& direction, const T& p) {
-  const auto& sea = world.sea;
-  const T& free_share = world.cone(instrument).free_share;
+  const auto& sea = world.slabs;
+  const T& free_share = world.walks.cone(instrument).free_share;
   Mask<T> in_water = scatters;
   T else_drawn = free_share;
   if (sea.bed_angles > 0) {
@@ -107,14 +107,15 @@ T averaged_over_drawn(const World<T>& world, std::int32_t instrument, const Inde
     if (instrument == of_laser && sea.bed_angles > 1) else_drawn = select(bed, T(0), free_share);
   }
   if (!any(in_water)) return else_drawn;
-  Vec3<T> axis = world.cone(instrument).axis;
+  Vec3<T> axis = world.walks.cone(instrument).axis;
   axis.z = select(arriving_z * axis.z < T(0), -axis.z, axis.z);
-  const T mean = world.averaged.value(instrument, one_minus_cos(axis, direction),
-                                      gather_index<T>(sea.elastic_phase, sea.at(line, place)));
+  const T mean =
+      world.walks.averaged.value(instrument, one_minus_cos(axis, direction),
+                                 gather_index<T>(sea.elastic_phase, sea.at(line, place)));
   T ratio = free_share * mean / p;
-  if (instrument != of_laser && any(world.inverse_conversion.scattered > T(0))) {
+  if (instrument != of_laser && any(world.walks.inverse_conversion.scattered > T(0))) {
     const auto drawn = [&](const T& value) {
-      return world.inverse_conversion.scattered_over_phase(sea, place, direction, value);
+      return world.walks.inverse_conversion.scattered_over_phase(sea, place, direction, value);
     };
     ratio = ratio * select(line == Index<T>(0), drawn(mean) / drawn(p), T(1));
   }

@@ -54,7 +54,7 @@ PHOTIC_APART T path_along_in_air(const geometry::Slabs& sea, const Ray<T>& ray, 
 template <class T>
 T path_along(const geometry::Slabs& sea, const Ray<T>& ray, const medium::Level<T>& to,
              const T& length) {
-  if (sea.upside_down) [[unlikely]]
+  if (sea.kind == medium::MediumKind::air) [[unlikely]]
     return path_along_in_air(sea, ray, to, length);
   return geometry::group_path(sea, geometry::Segment<T>{ray.line, {}, to, length});
 }

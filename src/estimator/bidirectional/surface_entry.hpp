@@ -28,8 +28,8 @@ namespace photic::estimator {
 
 /// Returns whether an instrument's rays come into the water through waves.
 template <class T>
-bool enters_through_waves(const World<T>& world, const geometry::Region<T>& region) {
-  return !world.sea.surface.one_direction_each && region.in_air;
+bool enters_through_waves(const geometry::Slabs& sea, const geometry::Region<T>& region) {
+  return !sea.surface.one_direction_each && region.outside;
 }
 
 /// The area over which a telescope draws rays of a direction, of the open lens as they come through
@@ -39,7 +39,7 @@ template <class T>
 T translation_area(const World<T>& world, const instrument::Telescope<T>& telescope,
                    const geometry::Region<T>& region, const Vec3<T>& direction) {
   const T area = instrument::translation_area(telescope, direction);
-  return enters_through_waves(world, region)
+  return enters_through_waves(world.slabs, region)
              ? area * instrument::share_that_sees(telescope, direction)
              : area;
 }
@@ -103,20 +103,22 @@ transport::NearLevel<T> level_to(const World<T>& world, std::int32_t instrument,
                                  const Index<T>& line, const Vec3<T>& from,
                                  const instrument::PlanePoint<T>& lens, const Mask<T>& wanted) {
   if (instrument == of_laser)
-    return transport::near_level(world.sea, from, line, fictitious_vertex(world.laser),
-                                 world.laser_region, wanted);
+    return transport::near_level(world.slabs, from, line,
+                                 fictitious_vertex(world.instruments.laser),
+                                 world.instruments.laser_region, wanted);
   const auto number = static_cast<std::size_t>(instrument - 1);
-  return transport::near_level(world.sea, from, line, in_space(world.telescopes[number], lens),
-                               world.telescope_region[number], wanted);
+  return transport::near_level(world.slabs, from, line,
+                               in_space(world.instruments.telescopes[number], lens),
+                               world.instruments.telescope_region[number], wanted);
 }
 /// The entry of an instrument's walk at a point of the surface.
 template <class T>
-SurfaceEntry<T> entry_at(const World<T>& world, std::int32_t instrument, const Vec3<T>& at,
-                         const instrument::PlanePoint<T>& lens, T& density) {
-  if (instrument == of_laser) return entry_of_laser(world.laser, at, density);
+SurfaceEntry<T> entry_at(const Instruments<T>& instruments, std::int32_t instrument,
+                         const Vec3<T>& at, const instrument::PlanePoint<T>& lens, T& density) {
+  if (instrument == of_laser) return entry_of_laser(instruments.laser, at, density);
   instrument::Sight<T> sight;
-  return entry_of_telescope(world.telescopes[static_cast<std::size_t>(instrument - 1)], lens, at,
-                            sight, density);
+  return entry_of_telescope(instruments.telescopes[static_cast<std::size_t>(instrument - 1)], lens,
+                            at, sight, density);
 }
 /// An entry behind the air between its instrument and the sea: its weight, and its path.
 template <class T>
@@ -135,11 +137,11 @@ template <class T>
 T slopes_over_rays(const World<T>& world, std::int32_t instrument, const Index<T>& line,
                    const Vec3<T>& from, const SurfaceEntry<T>& entry,
                    const instrument::PlanePoint<T>& lens, const Mask<T>& wanted) {
-  if (!world.cone(instrument).enters_by_slopes) return T(0);
+  if (!world.walks.cone(instrument).enters_by_slopes) return T(0);
   const auto level = level_to(world, instrument, line, from, lens, wanted);
   T density(1);
-  entry_at(world, instrument, entry.at, lens, density);
-  return transport::density_by_slopes(level, world.sea.waves, entry.at) / density;
+  entry_at(world.instruments, instrument, entry.at, lens, density);
+  return transport::density_by_slopes(level, world.slabs.waves, entry.at) / density;
 }
 /// Both kinds of entries are drawn once: rays and slopes, so densely. Free walks enter by slopes.
 template <class T>
@@ -193,19 +195,19 @@ EntryEdge<T> entry_to(const World<T>& world, std::int32_t instrument, const Inde
                       const Vec3<T>& to, const SurfaceEntry<T>& own,
                       const instrument::PlanePoint<T>& lens, bool by_slopes,
                       const Mask<T>& wanted) {
-  const auto& cone = world.cone(instrument);
+  const auto& cone = world.walks.cone(instrument);
   EntryEdge<T> edge;
   if (by_slopes && !cone.enters_by_slopes) return edge;
   T ratio(0);
   edge.by = own;
   if (cone.enters_by_slopes) {
     const auto level = level_to(world, instrument, line, to, lens, wanted);
-    const auto& waves = world.sea.waves;
+    const auto& waves = world.slabs.waves;
     const Vec3<T> at =
         by_slopes ? transport::point_by_slopes(level, waves, own.u_slope, own.u_azimuth) : own.at;
     T density(1);
-    const auto entry = entry_at(world, instrument, at, lens, density);
-    if (by_slopes) edge.by = behind_air(world.region(instrument), line, entry);
+    const auto entry = entry_at(world.instruments, instrument, at, lens, density);
+    if (by_slopes) edge.by = behind_air(world.instruments.region(instrument), line, entry);
     ratio = transport::density_by_slopes(level, waves, at) / density;
   }
   const Vec3<T> there = to - edge.by.at;
@@ -214,8 +216,8 @@ EntryEdge<T> entry_to(const World<T>& world, std::int32_t instrument, const Inde
   edge.direction = (T(1) / select(edge.exists, edge.length, T(1))) * there;
   Spread<T> spread;
   spread.solid_angle =
-      cone.solid_angle_at(one_minus_cos(edge.direction, axis_in_water(world.sea, cone, edge.by)));
-  edge.weight = weight_along(world.sea, edge.by, instrument != of_laser, line, edge.direction,
+      cone.solid_angle_at(one_minus_cos(edge.direction, axis_in_water(world.slabs, cone, edge.by)));
+  edge.weight = weight_along(world.slabs, edge.by, instrument != of_laser, line, edge.direction,
                              spread.solid_angle);
   spread = spread_by_entries(ratio, spread);
   edge.area = spread.solid_angle * (edge.length * edge.length);
@@ -304,12 +306,13 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
 /// by two uniforms; draw(block) draws more.
 template <class T, class Draw>
 PHOTIC_APART T absorbed_on_way_in(const World<T>& world, T u_polar, T u_azimuth, Draw draw) {
-  auto photon = transport::emit(world.laser, world.laser_region.layer, u_polar, u_azimuth);
-  if (!world.laser_region.in_air) return T(0);
-  const Mask<T> comes = transport::come_down(world.laser_region, photon);
-  if (world.sea.surface.one_direction_each)
-    return select(comes, transport::refract_down(world.sea, photon).into_film, T(0));
-  const auto surface = surface::rough_surface<T>(world.sea, photon.line);
+  auto photon = transport::emit(world.instruments.laser, world.instruments.laser_region.layer,
+                                u_polar, u_azimuth);
+  if (!world.instruments.laser_region.outside) return T(0);
+  const Mask<T> comes = transport::come_down(world.instruments.laser_region, photon);
+  if (world.slabs.surface.one_direction_each)
+    return select(comes, transport::refract_down(world.slabs, photon).into_film, T(0));
+  const auto surface = surface::rough_surface<T>(world.slabs, photon.line);
   return walk_by_facets(false, surface, photon, comes, true, Facets::any, draw,
                         [](const auto&...) {})
       .into_film;

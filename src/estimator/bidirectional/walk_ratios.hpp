@@ -32,7 +32,7 @@ class WalkRatios {
   /// They have come from their instrument to the surface, under a cosine to the vertical.
   PHOTIC_APART void came_down(const medium::MediumView& sea, const geometry::Region<T>& from,
                               Index<T> line, T cosine, Index<T> slot, Mask<T> mask) {
-    if (!from.in_air || !sea.environments.other_air) return;
+    if (!from.outside || !sea.environments.other_air) return;
     Terms<T> ways;
     add_air(from, line, cosine, ways);
     pass(sea, at_surface_, ways, slot, mask);

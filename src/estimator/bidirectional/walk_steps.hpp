@@ -46,7 +46,7 @@ class WalkSteps {
       : ledger(source.ledger),
         tally(batch),
         world_(world),
-        sea_(world.sea),
+        sea_(world.slabs),
         samples_(samples),
         source_(source),
         walks_(walks) {}
@@ -123,8 +123,9 @@ class WalkSteps {
     w.vertices = w.vertices + select(w.colliding, Index<T>(1), Index<T>(0));
   }
   void collide(WalkTrack<T>& w) {
-    book_out(w, w.colliding & (w.vertices == Index<T>(world_.last_order)), ledger.cut_by_order);
-    const Mask<T> full = w.on & w.colliding & (w.vertices == Index<T>(world_.max_vertices));
+    book_out(w, w.colliding & (w.vertices == Index<T>(world_.part.last_order)),
+             ledger.cut_by_order);
+    const Mask<T> full = w.on & w.colliding & (w.vertices == Index<T>(world_.walks.max_vertices));
     tally.too_many_events += count(full);
     book_out(w, full, ledger.lost);
     w.colliding = w.colliding & w.on;
@@ -136,7 +137,7 @@ class WalkSteps {
   }
 
   void play_roulette(WalkTrack<T>& w) {
-    w.on = estimator::play_roulette(w.photon, world_.weight_threshold, u_[3], w.on, ledger);
+    w.on = estimator::play_roulette(w.photon, T(min_weight), u_[3], w.on, ledger);
   }
   [[nodiscard]] static const Index<T>& event_of(const WalkTrack<T>& w) { return w.event; }
 
@@ -208,7 +209,7 @@ class WalkSteps {
     const Mask<T> convertible = colliding & (w.photon.line > Index<T>(0));
     const auto v = any(convertible) ? source_.draw(w.walk, w.event, 1) : std::array<T, 4>{};
     transport::Photon<T> photon = w.photon;
-    const auto departure = depart(sea_, photon, world_.inverse_conversion,
+    const auto departure = depart(sea_, photon, world_.walks.inverse_conversion,
                                   {u_[1], u_[2], v[0], v[1]}, walks_.from_telescope());
     if (world_.companion) [[unlikely]]
       world_.companion->collided(w.photon, photon, colliding);
@@ -236,7 +237,7 @@ class WalkSteps {
     }
     if (walks_.from_telescope()) {
       const Mask<T> pivots = walks_.pivot(sea_, colliding, w.walk, w.vertices - Index<T>(1),
-                                          vertex_, ray, world_.uses.rotated_scattered);
+                                          vertex_, ray, world_.walks.uses.rotated_scattered);
       w.axis = select(pivots, {Mask<T>(true), vertex_.position.x, vertex_.position.y}, w.axis);
     }
     if (auto* ratios = walks_.ratios()) [[unlikely]]

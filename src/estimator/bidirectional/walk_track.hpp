@@ -50,7 +50,7 @@ class WalkTracer {
     BirthRecord<T> record;
     WalkRatios<T>* const ratios = walks_.ratios();
     const Index<T> slot = Walks<T>::slot(track.walk, Index<T>(0));
-    const auto& sea = world_.sea;
+    const auto& sea = world_.slabs;
     if (ratios) ratios->begin(sea, slot, exist);
     const auto met = [&](const Mask<T>& mask, const surface::FacetHit<T>& meeting) {
       if (ratios) ratios->met(sea, meeting, slot, Mask<T>(mask & exist));
@@ -61,7 +61,7 @@ class WalkTracer {
     const auto birth = source_.birth(track.walk, exist, record, met, flown);
     if (ratios)
       ratios->came_down(
-          sea, world_.region(source_.instrument()), birth.photon.line,
+          sea, world_.instruments.region(source_.instrument()), birth.photon.line,
           walks_.has_facets() ? T(T(0) - birth.entry.outside.z) : birth.spread.cos_air, slot,
           exist);
     const Mask<T> born = exist & birth.exists;

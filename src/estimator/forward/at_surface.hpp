@@ -27,38 +27,39 @@ void score_from_surface(const World<T>& world, const ForwardTracks<T>& t, const 
   if (!group.narrower.empty()) telescope = group.narrowest(way.sight);
   const lanes::LaneScores<T> scores{telescope,
                                     group.path_to_origin,
-                                    transport::component_of<T>(world.sea, photon.line, touched),
+                                    transport::component_of<T>(world.slabs, photon.line, touched),
                                     photon.order,
                                     T(0),
                                     photon.path + way.path,
                                     photon.weight * way.acceptance * exp_minus(way.optical_depth)};
   estimates.begin(t.ratios);
   const auto complete = [&](Completion<T>& completion) {
-    if (world.sea.surface.differs_in_environments) completion.surface.meet(world.sea, way.meeting);
-    if (group.region.in_air)
+    if (world.slabs.surface.differs_in_environments)
+      completion.surface.meet(world.slabs, way.meeting);
+    if (group.region.outside)
       add_air(group.region, photon.line, way.direction.z, completion.ways);
     else
-      completion.pass(world.sea, way.in_water);
+      completion.pass(world.slabs, way.in_water);
   };
-  score<Events>(world, static_cast<std::size_t>(&group - world.groups.data()), seen, scores,
-                complete, estimates, tally);
+  score<Events>(world, static_cast<std::size_t>(&group - world.instruments.groups.data()), seen,
+                scores, complete, estimates, tally);
 }
 /// Before the given facet of an event.
 template <class Events, class T>
 PHOTIC_APART void score_at_surface(const World<T>& world, const ForwardTracks<T>& t,
-                                   const Mask<T>& in_air, const Mask<T>& mask, std::uint32_t facet,
+                                   const Mask<T>& outside, const Mask<T>& mask, std::uint32_t facet,
                                    Estimates<T>& estimates, tally::BatchTally& tally) {
-  const bool anywhere = world.sea.surface.leads_anywhere;
-  for (std::size_t g = 0; g < world.groups.size(); ++g) {
-    const ViewGroup<T>& group = world.groups[g];
+  const bool anywhere = world.slabs.surface.leads_anywhere;
+  for (std::size_t g = 0; g < world.instruments.groups.size(); ++g) {
+    const ViewGroup<T>& group = world.instruments.groups[g];
     const auto score = [&](const transport::SurfaceConnection<T>& way) {
       score_from_surface<Events>(world, t, group, way, mask, estimates, tally);
     };
-    if (anywhere || world.sea.waves.whitecap_fraction > 0)
-      score(transport::connect_from_surface(world.sea, group.widest, group.region, t.photon, in_air,
-                                            t.lens[g]));
+    if (anywhere || world.slabs.waves.whitecap_fraction > 0)
+      score(transport::connect_from_surface(world.slabs, group.widest, group.region, t.photon,
+                                            outside, t.lens[g]));
     if (!anywhere)
-      score({transport::connect_in_line(world.sea, group.widest, group.region, t.photon, in_air,
+      score({transport::connect_in_line(world.slabs, group.widest, group.region, t.photon, outside,
                                         uniforms(t.place, line_blocks[facet])[0]),
              {}});
   }
@@ -83,12 +84,14 @@ struct ScoredAtSurface {
     Mask<T> scored = at.meets;
     const auto fresh = [&] { return t.photon.order == Index<T>(0); };
     if (facet == 0) scored = scored & fresh();
-    if (world.sea.upside_down) scored = scored & !fresh();  // the surface's own echo is another
-    if (world.scored != Scored::all) [[unlikely]] {
-      const Mask<T> own = world.scored == Scored::film ? scored & fresh() : Mask<T>(false);
+    if (world.slabs.kind == medium::MediumKind::air)
+      scored = scored & !fresh();  // the surface's own echo is another
+    if (world.part.scored != Scored::all) [[unlikely]] {
+      const Mask<T> own = world.part.scored == Scored::film ? scored & fresh() : Mask<T>(false);
       scored = own | who_are_scored(world, t, scored);
     }
-    if (any(scored)) score_at_surface<Events>(world, t, at.in_air, scored, facet, estimates, tally);
+    if (any(scored))
+      score_at_surface<Events>(world, t, at.outside, scored, facet, estimates, tally);
   }
   void met(const Mask<T>& meets, const surface::FacetHit<T>& meeting) {
     companions_of<Events>(world, t).met(meeting, meets);
@@ -108,7 +111,7 @@ void cross_surface(const World<T>& world, ForwardTracks<T>& t, const Mask<T>& st
                    Ledger& ledger, const Leave<T>& leave) {
   if (!any(stand)) return;
   SplitsWeight<T, Ledger> rule{{world, t.place, ledger}, Mask<T>(false)};
-  if constexpr (Events::tools) rule.lossless = are_forced(world, t.place);
+  if constexpr (Events::tools) rule.lossless = are_forced(world.forward.tools, t.place);
   ScoredAtSurface<Events, T, Ledger> observer{world, t, estimates, tally, ledger, leave};
   estimator::cross_surface(world, t, stand, from_outside, rule, observer);
 }

@@ -22,34 +22,35 @@ class Companions {
   /// Photons of a mask have come down from an instrument to the surface.
   void came_down(const geometry::Region<T>& from, const transport::Photon<T>& photon,
                  const Mask<T>& mask) const {
-    if (in_environments()) ratios_.came_down(world_.sea, from, photon.line, photon.direction, mask);
+    if (in_environments())
+      ratios_.came_down(world_.slabs, from, photon.line, photon.direction, mask);
   }
   /// They have flown so far in the water.
   void flown(const transport::Photon<T>& after, const T& length, const Mask<T>& mask) const {
-    if (in_environments()) ratios_.flown(world_.sea, after, length, mask);
+    if (in_environments()) ratios_.flown(world_.slabs, after, length, mask);
     if (Events::variations && world_.companion) world_.companion->flown(after, length, mask);
   }
   /// They were scattered or converted where they stand.
   void collided(const transport::Photon<T>& after, const Mask<T>& mask) const {
-    if (in_environments()) ratios_.collided(world_.sea, after, mask);
+    if (in_environments()) ratios_.collided(world_.slabs, after, mask);
     if (Events::variations && world_.companion)
       world_.companion->collided(ratios_.before, after, mask);
   }
   /// They have come to a surface that sends light on in one direction on each side.
   void crossed(const Index<T>& line, std::int32_t way, const T& cosine, const Mask<T>& mask) const {
-    if (in_environments() && world_.sea.environments.other_film)
-      ratios_.crossed(world_.sea, {line, Index<T>(way), cosine}, mask);
+    if (in_environments() && world_.slabs.environments.other_film)
+      ratios_.crossed(world_.slabs, {line, Index<T>(way), cosine}, mask);
   }
   /// They have met a facet of it.
   void met(const surface::FacetHit<T>& meeting, const Mask<T>& mask) const {
-    if (in_environments() && world_.sea.surface.differs_in_environments)
-      ratios_.met(world_.sea, meeting, mask);
+    if (in_environments() && world_.slabs.surface.differs_in_environments)
+      ratios_.met(world_.slabs, meeting, mask);
   }
   /// A film has emitted their light.
   void emitted(const surface::AtFilm<T>& at, const Index<T>& line, const Vec3<T>& direction,
                bool up, const Mask<T>& mask) const {
-    if (in_environments() && world_.sea.environments.other_film && any(mask))
-      ratios_.emitted(world_.sea, at, line, direction, up, mask);
+    if (in_environments() && world_.slabs.environments.other_film && any(mask))
+      ratios_.emitted(world_.slabs, at, line, direction, up, mask);
   }
 
  private:

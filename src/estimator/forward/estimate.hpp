@@ -41,8 +41,9 @@ struct SourcesDiffer {
 };
 template <class T>
 SourcesDiffer sources_differ(const World<T>& world) {
-  return {world.sea.lines > 1, world.sea.places > 1, world.single_rays,
-          world.sea.bed_angles > 0 || world.sea.upside_down, !world.sea.surface.one_direction_each};
+  return {world.slabs.lines > 1, world.slabs.places > 1, world.forward.single_rays,
+          world.slabs.bed_angles > 0 || world.slabs.kind == medium::MediumKind::air,
+          !world.slabs.surface.one_direction_each};
 }
 
 /// Light of one line that leaves collisions, one in each lane: scattered, or converted from another
@@ -104,10 +105,10 @@ Emission<T> emission(const medium::MediumView& sea, const Sources<T>& from) {
 template <class T>
 struct Estimates {
   explicit Estimates(const World<T>& world)
-      : waiting(world.groups.size(),
+      : waiting(world.instruments.groups.size(),
                 lanes::Queue<T, Sources<T>>({.differ = sources_differ(world)})),
-        ratios(static_cast<std::size_t>(world.sea.environments.stride)) {
-    for (const ViewGroup<T>& group : world.groups)
+        ratios(static_cast<std::size_t>(world.slabs.environments.stride)) {
+    for (const ViewGroup<T>& group : world.instruments.groups)
       scores.emplace_back(group.number, group.path_to_origin, !group.narrower.empty());
   }
 
@@ -136,9 +137,9 @@ lanes::LaneScores<T> scores_of(const World<T>& world, const ViewGroup<T>& group,
                                const T& path_back, const T& value) {
   return {telescope,
           group.path_to_origin,
-          transport::component_of<T>(world.sea, from.line, from.touched),
+          transport::component_of<T>(world.slabs, from.line, from.touched),
           from.photon.order + Index<T>(1),
-          transport::signed_depth(world.sea, geometry::depth_of(from.photon.position)),
+          transport::signed_depth(world.slabs, geometry::depth_of(from.photon.position)),
           from.photon.path + path_back,
           value};
 }
@@ -147,7 +148,7 @@ lanes::LaneScores<T> scores_of(const World<T>& world, const ViewGroup<T>& group,
 template <class T>
 void score_completed(const World<T>& world, const Mask<T>& seen, const lanes::LaneScores<T>& scores,
                      Estimates<T>& estimates, tally::BatchTally& tally) {
-  const geometry::Slabs& sea = world.sea;
+  const geometry::Slabs& sea = world.slabs;
   const auto& completion = estimates.completion;
   lanes::each_score(
       tally, seen, scores, [&](std::size_t lane, const tally::Score& score, const auto& at) {
@@ -173,19 +174,19 @@ void score(const World<T>& world, std::size_t group, const Mask<T>& seen,
 template <class T>
 void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sources<T>& from,
                    const transport::Connection<T>& way, Completion<T>& completion) {
-  completion.pass_flat(world.sea, way.in_water, way.direction);
-  add_air_by_flat_surface(world.sea, group.region, from.line, way.direction, completion.ways);
+  completion.pass_flat(world.slabs, way.in_water, way.direction);
+  add_air_by_flat_surface(world.slabs, group.region, from.line, way.direction, completion.ways);
 }
 /// The same by a rough surface.
 template <class T>
 void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sources<T>& from,
                    const transport::WavesConnection<T>& way, Completion<T>& completion) {
-  completion.pass(world.sea, way.in_water);
-  if (group.region.in_air)
+  completion.pass(world.slabs, way.in_water);
+  if (group.region.outside)
     add_air(group.region, from.line, way.onward.rising_cosine(), completion.ways);
   else
-    completion.pass(world.sea, transport::from_surface_in_water(world.sea, group.region, from.line,
-                                                                way.onward));
+    completion.pass(world.slabs, transport::from_surface_in_water(world.slabs, group.region,
+                                                                  from.line, way.onward));
 }
 /// The effect on paths in environments of waves that lead them on.
 template <class T>
@@ -193,7 +194,8 @@ void complete_surface(const World<T>&, const transport::Connection<T>&, Completi
 template <class T>
 void complete_surface(const World<T>& world, const transport::WavesConnection<T>& way,
                       Completion<T>& completion) {
-  if (world.sea.surface.differs_in_environments) completion.surface.meet(world.sea, way.meeting);
+  if (world.slabs.surface.differs_in_environments)
+    completion.surface.meet(world.slabs, way.meeting);
 }
 /// Completes paths of light that leaves a collision and goes to telescopes of a group. The
 /// arguments are copies, whose originals stay in registers.
@@ -206,7 +208,7 @@ PHOTIC_APART PHOTIC_FLATTEN void complete_from_collision(const World<T>& world,
   completion.ways = unflown;
   complete_ways(world, group, from, way, completion);
   complete_surface(world, way, completion);
-  completion.collide(world.sea,
+  completion.collide(world.slabs,
                      {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)), from.line,
                       one_minus_cos(photon.direction, way.direction), T(-photon.direction.z)});
 }
@@ -219,13 +221,13 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
               tally::BatchTally& tally, Estimates<T>& estimates) {
   using namespace transport;
   const Photon<T>& photon = from.photon;
-  const auto [share, phase] = emission(world.sea, from);
-  const ViewGroup<T>& group = world.groups[g];
+  const auto [share, phase] = emission(world.slabs, from);
+  const ViewGroup<T>& group = world.instruments.groups[g];
   const auto score_by = [&](const auto& way, const instrument::Sight<T>& sight) {
     const Mask<T> seen = mask & (way.acceptance > T(0));
     if (!any(seen)) return;
     const T of_vertex = contribution(
-        world.sea, Interaction<T>{photon.layer, phase, photon.direction}, way.direction);
+        world.slabs, Interaction<T>{photon.layer, phase, photon.direction}, way.direction);
     const T value =
         photon.weight * share * of_vertex * way.acceptance * exp_minus(way.optical_depth);
     Index<T> telescope(static_cast<std::int32_t>(group.number));
@@ -239,18 +241,18 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
   };
   const auto& telescope = group.widest;
   const auto& region = group.region;
-  for (const auto route : geometry::routes_to(region.in_air)) {
-    if (by_waves(world, region, route)) {
+  for (const auto route : geometry::routes_to(region.outside)) {
+    if (by_waves(world.slabs, region, route)) {
       const auto& u = from.surface;
-      const auto way = connect_by_waves(world.sea, telescope, region, photon, from.line, from.lens,
-                                        {u[0], u[1], u[2]}, mask);
+      const auto way = connect_by_waves(world.slabs, telescope, region, photon, from.line,
+                                        from.lens, {u[0], u[1], u[2]}, mask);
       score_by(way, way.sight);
-    } else if (world.single_rays) {
+    } else if (world.forward.single_rays) {
       const auto way =
-          connect_ray(world.sea, telescope, region, photon, from.line, from.lens, route, mask);
+          connect_ray(world.slabs, telescope, region, photon, from.line, from.lens, route, mask);
       score_by(static_cast<const Connection<T>&>(way), way.sight);
     } else {
-      score_by(connect(world.sea, telescope, region, photon, from.line, route, mask), {});
+      score_by(connect(world.slabs, telescope, region, photon, from.line, route, mask), {});
     }
   }
 }
@@ -273,18 +275,18 @@ void score_light(const World<T>& world, const ForwardTracks<T>& of,
   const instrument::PlanePoint<T> centre{};
   const auto& lens = of.lens;
   Index<T> touched(0);
-  if (world.sea.bed_angles > 0)
-    touched = transport::touched_at<T>(world.sea, photon.layer, of.touched);
-  else if (world.sea.upside_down)
+  if (world.slabs.bed_angles > 0)
+    touched = transport::touched_at<T>(world.slabs, photon.layer, of.touched);
+  else if (world.slabs.kind == medium::MediumKind::air)
     touched = of.touched;
-  for (std::size_t g = 0; g < world.groups.size(); ++g) {
+  for (std::size_t g = 0; g < world.instruments.groups.size(); ++g) {
     const Mask<T> seen = colliding & may_be_seen(world, g, photon.position, line, lens);
     if (!any(seen)) continue;
     const SourcesOf<T> from{photon,
                             weight,
                             line,
                             touched,
-                            world.single_rays ? lens[g] : centre,
+                            world.forward.single_rays ? lens[g] : centre,
                             of.surface,
                             sources_differ(world)};
     if (has_environments<Events>(world)) {
@@ -310,18 +312,18 @@ void flush_queues(const World<T>& world, Estimates<T>& estimates, tally::BatchTa
 
 /// The part of a photon's weight that collides at one of the points of a flight that are scored.
 template <class T>
-T weight_at_point(const World<T>& world, const transport::Photon<T>& photon) {
-  return photon.weight * T(1.0 / world.scored_points);
+T weight_at_point(const ForwardSettings<T>& forward, const transport::Photon<T>& photon) {
+  return photon.weight * T(1.0 / forward.scored_points);
 }
 
 /// The photons of a mask whose light a world's histories score.
 template <class T>
 Mask<T> who_are_scored(const World<T>& world, const ForwardTracks<T>& t, const Mask<T>& mask) {
-  switch (world.scored) {
+  switch (world.part.scored) {
     [[likely]] case Scored::all:
       return mask;
     case Scored::film:
-      return mask & surface::is_film_light<T>(world.sea, t.photon.line);
+      return mask & surface::is_film_light<T>(world.slabs, t.photon.line);
     case Scored::from_water:
       return mask & !(t.touched == Index<T>(static_cast<std::int32_t>(transport::Touched::air)));
     case Scored::none:
@@ -335,7 +337,7 @@ template <class Events, class T>
 void score_scattering(const World<T>& world, const ForwardTracks<T>& at, const Mask<T>& scored,
                       Estimates<T>& estimates, tally::BatchTally& tally) {
   if constexpr (Events::variations) estimates.begin(at.ratios);
-  score_light<Events>(world, at, at.photon, weight_at_point(world, at.photon), scored,
+  score_light<Events>(world, at, at.photon, weight_at_point(world.forward, at.photon), scored,
                       at.photon.line, estimates, tally);
 }
 

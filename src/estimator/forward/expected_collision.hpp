@@ -16,10 +16,10 @@ void ratios_at(const World<T>& world, const ForwardTracks<T>& from, const transp
   if (!has_environments<Events>(world)) return;
   const transport::Photon<T>& before = from.photon;
   estimates.begin(from.ratios);
-  add_segment(
-      world.sea,
-      {at.line, geometry::level_of(world.sea, before), geometry::level_of(world.sea, at), moved},
-      estimates.unflown);
+  add_segment(world.slabs,
+              {at.line, geometry::level_of(world.slabs, before),
+               geometry::level_of(world.slabs, at), moved},
+              estimates.unflown);
 }
 
 /// The number that a flight's free path is drawn by. A free path -ln(u) leaves the water where u is
@@ -41,24 +41,25 @@ void score_further_points(const World<T>& world, const ForwardTracks<T>& tracks,
                           Estimates<T>& estimates, tally::BatchTally& tally) {
   const Mask<T> travelling = who_are_scored(world, tracks, tracks.on);
   if (!any(travelling)) return;
-  const auto from = transport::flight_start(world.sea, tracks.photon);
-  for (std::int32_t k = 1; k < world.scored_points; ++k) {
-    const T rest = T(static_cast<double>(k) / world.scored_points);
+  const auto from = transport::flight_start(world.slabs, tracks.photon);
+  for (std::int32_t k = 1; k < world.forward.scored_points; ++k) {
+    const T rest = T(static_cast<double>(k) / world.forward.scored_points);
     const T& u = tracks.u[0];
     const T u_k = select(u > rest, u - rest, u + (T(1) - rest));
     transport::Photon<T> at = tracks.photon;
     const T free_path = minus_log(path_number<Events>(tracks, u_k));
-    auto end = transport::fly(world.sea, at, from, free_path);
-    if (!Events::tools && world.flies_on) {
-      transport::fly_on(world.sea, at, end, [&](const Mask<T>&, transport::Photon<T>& down) {
-        transport::reflect_down(world.sea, down);
+    auto end = transport::fly(world.slabs, at, from, free_path);
+    if (!Events::tools && world.forward.flies_on) {
+      transport::fly_on(world.slabs, at, end, [&](const Mask<T>&, transport::Photon<T>& down) {
+        transport::reflect_down(world.slabs, down);
       });
     }
-    const Mask<T> scored = travelling & !(end.surface | end.sea_bed) & in_time(world, at);
+    const Mask<T> scored =
+        travelling & !(end.surface | end.sea_bed) & in_time(world.instruments, at);
     if (!any(scored)) continue;
     ratios_at<Events>(world, tracks, at, end.length, estimates);
-    score_light<Events>(world, tracks, at, weight_at_point(world, at), scored, at.line, estimates,
-                        tally);
+    score_light<Events>(world, tracks, at, weight_at_point(world.forward, at), scored, at.line,
+                        estimates, tally);
   }
 }
 
@@ -70,14 +71,14 @@ PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world,
                                                   const Mask<T>& travelling,
                                                   Estimates<T>& estimates,
                                                   tally::BatchTally& tally) {
-  const geometry::Slabs& sea = world.sea;
+  const geometry::Slabs& sea = world.slabs;
   const Mask<T> convertible = travelling & (from.photon.line == Index<T>(0));
-  const bool all_collisions = Events::tools && world.tools.scores_on_the_way;
+  const bool all_collisions = Events::tools && world.forward.tools.scores_on_the_way;
   const Mask<T> wanted = all_collisions ? travelling : convertible;
   if (!any(wanted)) return;
   const auto& u = from.forced;
   transport::Photon<T> at = from.photon;
-  const auto [in_water, moved] = force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
+  const auto [in_water, moved] = force_collision(sea, at, world.forward.cones, {u[0], u[1], u[2]});
   const Mask<T> reached = wanted & in_water;
   ratios_at<Events>(world, from, at, moved, estimates);
   if (all_collisions)

@@ -31,29 +31,30 @@ template <class Events, class T>
 void score_film(const World<T>& world, const ForwardTracks<T>& t, std::size_t g,
                 const Index<T>& line, const ComeToFilm<T>& film, Estimates<T>& estimates,
                 tally::BatchTally& tally) {
-  const ViewGroup<T>& group = world.groups[g];
+  const ViewGroup<T>& group = world.instruments.groups[g];
   const transport::Photon<T>& photon = t.photon;
   const auto way = transport::from_surface(group.widest, t.lens[g], photon.position);
   const Mask<T> seen = film.mask & way.seen;
   if (!any(seen)) return;
   const T emitted =
-      surface::emitted_by_film(world.sea, film.at, line, way.direction, group.region.in_air);
+      surface::emitted_by_film(world.slabs, film.at, line, way.direction, group.region.outside);
   Sources<T> from{photon, line, t.touched, t.lens[g], t.surface, sources_differ(world)};
   const T value = photon.weight * film.met * emitted * group.widest.area() *
                   way.sight.cos_off_axis / (way.length * way.length) *
-                  exp_minus(transport::depth_to_lens(world.sea, group.region, line, way));
+                  exp_minus(transport::depth_to_lens(world.slabs, group.region, line, way));
   Index<T> telescope(static_cast<std::int32_t>(group.number));
   if (!group.narrower.empty()) telescope = group.narrowest(way.sight);
-  const auto scores = scores_of(world, group, telescope, from,
-                                transport::path_to_telescope(world.sea, group.widest, group.region,
-                                                             line, t.lens[g], photon.position, way),
-                                value);
+  const auto scores =
+      scores_of(world, group, telescope, from,
+                transport::path_to_telescope(world.slabs, group.widest, group.region, line,
+                                             t.lens[g], photon.position, way),
+                value);
   estimates.begin(t.ratios);
   const auto complete = [&](Completion<T>& completion) {
-    completion.emission.emit(world.sea, film.at, line, way.direction, group.region.in_air);
-    if (!group.region.in_air)
-      completion.pass(world.sea,
-                      transport::from_surface_in_water(world.sea, group.region, line, way));
+    completion.emission.emit(world.slabs, film.at, line, way.direction, group.region.outside);
+    if (!group.region.outside)
+      completion.pass(world.slabs,
+                      transport::from_surface_in_water(world.slabs, group.region, line, way));
   };
   score<Events>(world, g, seen, scores, complete, estimates, tally);
 }
@@ -61,11 +62,12 @@ void score_film(const World<T>& world, const ForwardTracks<T>& t, std::size_t g,
 /// Weight that leaves the film of what it emits into one half of all directions: by one of them, an
 /// even one as Lambert's law has it.
 template <class T>
-T emitted_weight(const World<T>& world, const transport::Photon<T>& photon, const Index<T>& line,
-                 const ComeToFilm<T>& film, const Vec3<T>& direction, bool up) {
+T emitted_weight(const geometry::Slabs& sea, const transport::Photon<T>& photon,
+                 const Index<T>& line, const ComeToFilm<T>& film, const Vec3<T>& direction,
+                 bool up) {
   const T lambert = T(1 / pi) * (up ? direction.z : T(0) - direction.z);
-  return photon.weight * film.met *
-         surface::emitted_by_film(world.sea, film.at, line, direction, up) / lambert;
+  return photon.weight * film.met * surface::emitted_by_film(sea, film.at, line, direction, up) /
+         lambert;
 }
 
 /// Scores the emitted light, and sends photons down into the water as such light, by chance.
@@ -78,8 +80,8 @@ PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, ForwardTracks<T>& t,
   ComeToFilm<T> lit = film;
   lit.mask = film.mask & (t.photon.line == Index<T>(0));
   if (!any(lit.mask)) return lit.mask;
-  const Index<T> line = surface::film_line<T>(world.sea, t.spectral_bin);
-  for (std::size_t g = 0; g < world.groups.size(); ++g)
+  const Index<T> line = surface::film_line<T>(world.slabs, t.spectral_bin);
+  for (std::size_t g = 0; g < world.instruments.groups.size(); ++g)
     score_film<Events>(world, t, g, line, lit, estimates, tally);
 
   const auto u = uniforms(t.place, film_blocks[number]);
@@ -88,11 +90,12 @@ PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, ForwardTracks<T>& t,
       turned(Vec3<T>{T(0), T(0), T(1)}, surface::lambert_one_minus_cos(u[2]), cosine, sine);
   const Vec3<T> down{up.x, up.y, T(0) - up.z};
   transport::Photon<T>& photon = t.photon;
-  const T rises = emitted_weight(world, photon, line, lit, up, true);
+  const T rises = emitted_weight(world.slabs, photon, line, lit, up, true);
   book(ledger.escaped, lit.mask, rises);
   book(ledger.oil, lit.mask, T(0) - rises);
 
-  const T sinks = emitted_weight(world, photon, line, lit, down, false) * T(1 / film_conversion);
+  const T sinks =
+      emitted_weight(world.slabs, photon, line, lit, down, false) * T(1 / film_conversion);
   const Mask<T> converted = lit.mask & (u[0] < T(film_conversion));
   companions_of<Events>(world, t).emitted(lit.at, line, down, false, converted);
   book(ledger.oil, converted, T(0) - sinks);
@@ -102,8 +105,8 @@ PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, ForwardTracks<T>& t,
   photon.direction = select(converted, down, photon.direction);
   photon.order = photon.order + select(converted, Index<T>(1), Index<T>(0));
   t.on = t.on & ((!converted) | (sinks > T(0)));
-  if (world.last_order > 0)
-    book_out(t, converted & (photon.order == Index<T>(world.last_order)), ledger.cut_by_order);
+  if (world.part.last_order > 0)
+    book_out(t, converted & (photon.order == Index<T>(world.part.last_order)), ledger.cut_by_order);
   return converted;
 }
 

@@ -2,9 +2,11 @@
 // the next.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <span>
+#include <utility>
 
 #include "core/random.hpp"
 #include "estimator/event.hpp"
@@ -23,16 +25,23 @@ inline constexpr int target_capacity = 16;
 template <class T>
 using Targets = transport::Targets<T, target_capacity>;
 
+/// The points of lenses, one of each group, that take part in local estimates of single rays.
+template <class T>
+using LensPoints = std::span<instrument::PlanePoint<T>>;
+template <class T>
+std::size_t lens_points(const World<T>& world) {
+  return world.forward.single_rays ? world.instruments.groups.size() : 0;
+}
+
 /// Photons on their way, one in each lane, and the event that they are in.
 template <class T>
 struct ForwardTracks : Track<T> {
-  explicit ForwardTracks(const World<T>& world)
-      : place{world.key, {}, {}}, lens(world.single_rays ? world.groups.size() : 0) {}
+  ForwardTracks(const World<T>& world, LensPoints<T> own)
+      : place{world.random.key, {}, {}}, lens(own) {}
 
   RandomPlace<T> place;
-  Index<T> spectral_bin{};                      ///< in which lines it emits
-  std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each group's lens that takes part
-                                                ///< in local estimates of single rays
+  Index<T> spectral_bin{};     ///< in which lines it emits
+  LensPoints<T> lens;          ///< those of the history
   std::array<T, 4> surface{};  ///< numbers of where a rough surface leads light on to lenses: the
                                ///< same for all of a history, so that light can be sent there
   Ratios<T> ratios;            ///< of their weights in environments
@@ -49,6 +58,14 @@ struct ForwardTracks : Track<T> {
   T analog_before{}, importance_before{};  ///< the flight, for tools that ask
   Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
 
+  /// Takes over others, but for the places of their lenses' points and ratios.
+  void copy(const ForwardTracks& others) {
+    const auto [own_lens, own_ratios] = std::pair{lens, ratios};
+    *this = others;
+    lens = own_lens, ratios = own_ratios;
+    std::ranges::copy(others.lens, lens.begin());
+  }
+
   /// The numbers of a block of the event.
   std::array<T, 4>& numbers(std::uint32_t block) {
     return block == event_blocks[0] ? u : (block == event_blocks[1] ? choices : forced);
@@ -57,19 +74,21 @@ struct ForwardTracks : Track<T> {
 
 /// Returns whether a route to a region leads by waves.
 template <class T>
-bool by_waves(const World<T>& world, const geometry::Region<T>& region, geometry::Route route) {
-  return !world.sea.surface.one_direction_each && geometry::meets_surface(region, route);
+bool by_waves(const geometry::Slabs& sea, const geometry::Region<T>& region,
+              geometry::Route route) {
+  return !sea.surface.one_direction_each && geometry::meets_surface(region, route);
 }
 
 /// Returns whether a group of telescopes may see a point, by the points of the lenses that take
 /// part in local estimates of single rays.
 template <class T>
 Mask<T> may_be_seen(const World<T>& world, std::size_t g, const Vec3<T>& position,
-                    const Index<T>& line, const std::vector<instrument::PlanePoint<T>>& lens) {
-  const auto& telescope = world.groups[g].widest;
-  if (!world.sea.surface.one_direction_each) return Mask<T>(true);  // a steep facet may lead it
-  return world.single_rays ? transport::may_see(world.sea, telescope, position, line, lens[g])
-                           : transport::may_see(world.sea, telescope, position, line);
+                    const Index<T>& line, const LensPoints<T>& lens) {
+  const auto& telescope = world.instruments.groups[g].widest;
+  if (!world.slabs.surface.one_direction_each) return Mask<T>(true);  // a steep facet may lead it
+  return world.forward.single_rays
+             ? transport::may_see(world.slabs, telescope, position, line, lens[g])
+             : transport::may_see(world.slabs, telescope, position, line);
 }
 
 }  // namespace photic::estimator

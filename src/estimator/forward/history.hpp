@@ -20,14 +20,14 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
   t.place.event = Index<T>(0);
   for (std::size_t k = 0; k < t.lens.size(); ++k) {
     const auto u = draws.together(n, 0, lens_blocks[static_cast<std::uint32_t>(k)]);
-    t.lens[k] = lens_point(world.groups[k].widest, u[0], u[1]);
+    t.lens[k] = lens_point(world.instruments.groups[k].widest, u[0], u[1]);
   }
-  if (!world.sea.surface.one_direction_each) t.surface = draws.together(n, 0, surface_blocks[0]);
+  if (!world.slabs.surface.one_direction_each) t.surface = draws.together(n, 0, surface_blocks[0]);
   const auto u = draws.together(n, 0, birth_blocks[0]);
-  if (world.sea.bands > 0) t.spectral_bin = medium::spectral_bin_of(u[3]);
+  if (world.slabs.bands > 0) t.spectral_bin = medium::spectral_bin_of(u[3]);
   birth_at_laser(world, u[0], u[1], exist, t, ledger);
-  if (!world.laser_region.in_air) return;
-  companions_of<Events>(world, t).came_down(world.laser_region, t.photon, t.on);
+  if (!world.instruments.laser_region.outside) return;
+  companions_of<Events>(world, t).came_down(world.instruments.laser_region, t.photon, t.on);
   const Mask<T> stand = t.on;
   cross_surface<Events>(world, t, stand, true, estimates, tally, ledger, {});
 }
@@ -38,7 +38,7 @@ void keep_copies(const World<T>& world, const ForwardTracks<T>& photon,
                  std::vector<ForwardTracks<T>>& waiting) {
   for (std::int32_t i = 0; i < photon.copies; ++i) {
     waiting.push_back(photon);
-    photon.ratios.paths->copy(world.sea.environments, 0, waiting.size());
+    photon.ratios.paths->copy(world.slabs.environments, 0, waiting.size());
     waiting.back().place.photon =
         copy_number(photon.place.key, photon.place.photon, photon.place.event, i);
   }
@@ -47,10 +47,11 @@ void keep_copies(const World<T>& world, const ForwardTracks<T>& photon,
 /// Photons on their way from one medium to the other, one by one.
 template <class T>
 struct Passed {
-  explicit Passed(const World<T>& world) : ratios(world.sea.environments, 0) {}
+  explicit Passed(const World<T>& world) : ratios(world.slabs.environments, 0) {}
 
   std::vector<ForwardTracks<T>> photons;
-  PathRatios<T> ratios;  ///< of each, in environments
+  std::vector<instrument::PlanePoint<T>> lens;  ///< of each, its points
+  PathRatios<T> ratios;                         ///< of each, in environments
 };
 
 /// Has photons that leave a world's medium through the surface wait among the others, to draw
@@ -58,11 +59,12 @@ struct Passed {
 template <class T>
 Leave<T> wait_to_pass(const World<T>& world, Passed<T>& passed) {
   return [&](const ForwardTracks<T>& gone, std::int32_t copy) {
-    passed.ratios.copy(world.sea.environments, *gone.ratios.paths, gone.ratios.first,
+    passed.ratios.copy(world.slabs.environments, *gone.ratios.paths, gone.ratios.first,
                        passed.photons.size());
     passed.photons.push_back(gone);
+    passed.lens.insert(passed.lens.end(), gone.lens.begin(), gone.lens.end());
     RandomPlace<T>& place = passed.photons.back().place;
-    place.photon = copy_number(world.key, place.photon, place.event, copy);
+    place.photon = copy_number(world.random.key, place.photon, place.event, copy);
   };
 }
 
@@ -85,8 +87,8 @@ PHOTIC_APART PHOTIC_FLATTEN void follow(const World<T>& world, ForwardTracks<T>&
       if (photon.on) continue;
     }
     if (!Events::tools || waiting.empty()) return;
-    photon.ratios.paths->copy(world.sea.environments, waiting.size(), 0);
-    photon = std::move(waiting.back());
+    photon.ratios.paths->copy(world.slabs.environments, waiting.size(), 0);
+    photon = waiting.back();
     waiting.pop_back();
   }
 }
@@ -94,9 +96,10 @@ PHOTIC_APART PHOTIC_FLATTEN void follow(const World<T>& world, ForwardTracks<T>&
 template <class Events, class T, class Witness>
 void follow(const World<T>& world, std::uint64_t first, std::uint64_t count, Passed<T>& passed,
             tally::BatchTally& tally, Witness& witness) {
-  const Draws<T> draws = draws_of_laser(world, first);
-  ForwardTracks<T> photon(world);
-  PathRatios<T> paths(world.sea.environments, 1);
+  const Draws<T> draws = draws_of_laser<T>(world.random, first);
+  std::vector<instrument::PlanePoint<T>> lens(lens_points(world));
+  ForwardTracks<T> photon(world, lens);
+  PathRatios<T> paths(world.slabs.environments, 1);
   photon.ratios.paths = &paths;
   std::vector<ForwardTracks<T>> waiting;
   Estimates<T> estimates(world);
@@ -116,7 +119,7 @@ void follow(const World<T>& world, std::uint64_t first, std::uint64_t count, Pas
               [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); },
               wait_to_pass(world, passed)};
   for (; n < static_cast<std::int32_t>(count); ++n) {
-    paths.begin(world.sea.environments, 0);
+    paths.begin(world.slabs.environments, 0);
     birth<Events>(world, draws, n, true, photon, estimates, tally, tally.ledger);
     if (photon.on) follow<Events>(world, photon, waiting, first_flight, steps, witness);
   }
@@ -125,8 +128,8 @@ void follow(const World<T>& world, std::uint64_t first, std::uint64_t count, Pas
 template <class Events, class T, class Witness>
 void follow(const World<T>& world, Passed<T>& arrivals, Passed<T>& passed, tally::BatchTally& tally,
             Witness& witness) {
-  ForwardTracks<T> photon(world);
-  PathRatios<T> paths(world.sea.environments, 1);
+  ForwardTracks<T> photon(world, {});
+  PathRatios<T> paths(world.slabs.environments, 1);
   std::vector<ForwardTracks<T>> waiting;
   Estimates<T> estimates(world);
   ForwardSteps<Events, T, tally::Ledger> steps{
@@ -137,13 +140,15 @@ void follow(const World<T>& world, Passed<T>& arrivals, Passed<T>& passed, tally
       [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); },
       wait_to_pass(world, passed)};
   for (std::size_t i = 0; i < arrivals.photons.size(); ++i) {
-    photon = std::move(arrivals.photons[i]);
-    paths.copy(world.sea.environments, arrivals.ratios, i, 0);
+    photon = arrivals.photons[i];
+    photon.lens = LensPoints<T>(arrivals.lens).subspan(i * lens_points(world), lens_points(world));
+    paths.copy(world.slabs.environments, arrivals.ratios, i, 0);
     photon.ratios.paths = &paths;
-    photon.place.key = world.key;
+    photon.place.key = world.random.key;
     follow<Events>(world, photon, waiting, steps, steps, witness);
   }
   arrivals.photons.clear();
+  arrivals.lens.clear();
 }
 
 /// Follows light by the events that a world asks for: `from` is a batch's first photon and how

@@ -22,16 +22,16 @@ template <class T>
 void pass_surface(const World<T>& world, const ForwardTracks<T>& t, const Mask<T>& mask,
                   const Vec3<T>& direction, const T& weight, std::uint32_t meeting,
                   const Leave<T>& leave) {
-  if (!world.beyond.exists) return;
+  if (!world.part.beyond.exists) return;
   Mask<T> passes = mask & (t.photon.order > Index<T>(0));
   if (!any(passes)) return;
-  passes = passes & (uniforms(t.place, passing_blocks[meeting])[0] < world.beyond.chance);
+  passes = passes & (uniforms(t.place, passing_blocks[meeting])[0] < world.part.beyond.chance);
   if (!any(passes)) return;
   ForwardTracks<T> gone = t;
   gone.on = passes;
-  gone.photon.weight = weight / world.beyond.chance;
+  gone.photon.weight = weight / world.part.beyond.chance;
   gone.photon.analog_weight = T(1);
-  go_beyond(world, direction, gone);
+  go_beyond(world.part.beyond, direction, gone);
   leave(gone, static_cast<std::int32_t>(passing_blocks[meeting]));
 }
 

@@ -35,13 +35,13 @@ struct ForwardSteps {
   void begin_event(Each each) {
     each([](auto& t) { t.place.event = t.place.event + Index<T>(1); });
     draw(event_blocks[0]);
-    if (world.makes_choices) draw(event_blocks[1]);
-    if (!world.cones.empty()) draw(event_blocks[2]);
+    if (world.forward.makes_choices) draw(event_blocks[1]);
+    if (!world.forward.cones.empty()) draw(event_blocks[2]);
   }
 
   /// Scores a flight before it begins.
   void look_ahead(ForwardTracks<T>& t) {
-    if (!world.cones.empty())
+    if (!world.forward.cones.empty())
       score_on_the_way<Events>(world, t, who_are_scored(world, t, t.on), estimates, tally);
     if constexpr (Events::tools) begin_with_tools(world, t, t.on, ledger);
     score_further_points<Events>(world, t, estimates, tally);
@@ -55,9 +55,9 @@ struct ForwardSteps {
     transport::Photon<T>& photon = t.photon;
     const auto companions = companions_of<Events>(world, t);
     companions.before(photon);
-    auto end = transport::fly(world.sea, photon, t.free_path);
+    auto end = transport::fly(world.slabs, photon, t.free_path);
     if (flies_on()) {
-      transport::fly_on(world.sea, photon, end, [&](const Mask<T>& reflected, auto& down) {
+      transport::fly_on(world.slabs, photon, end, [&](const Mask<T>& reflected, auto& down) {
         t.on = (t.on & !reflected) | reflect_in_flight(t, t.on & reflected, down);
       });
     }
@@ -65,7 +65,7 @@ struct ForwardSteps {
     return end;
   }
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
-    return estimator::in_time(world, photon);
+    return estimator::in_time(world.instruments, photon);
   }
 
   void cross(ForwardTracks<T>& t) {
@@ -77,27 +77,27 @@ struct ForwardSteps {
   /// If that has not been done on the way, where only collisions in the water are.
   void score(const ForwardTracks<T>& t) {
     Mask<T> scored = who_are_scored(world, t, t.colliding);
-    if (Events::tools && world.tools.scores_on_the_way)
-      scored = scored & surface::on_bed<T>(world.sea, t.photon.layer);
+    if (Events::tools && world.forward.tools.scores_on_the_way)
+      scored = scored & surface::on_bed<T>(world.slabs, t.photon.layer);
     if (any(scored)) score_scattering<Events>(world, t, scored, estimates, tally);
   }
 
   /// Some go on as light of another wavelength, what is absorbed is lost.
   void collide(ForwardTracks<T>& t) {
-    if (world.last_order > 0) {
+    if (world.part.last_order > 0) {
       const Index<T> next = t.photon.order + Index<T>(1);
-      book_out(t, t.colliding & (next == Index<T>(world.last_order)), ledger.cut_by_order);
+      book_out(t, t.colliding & (next == Index<T>(world.part.last_order)), ledger.cut_by_order);
       t.colliding = t.colliding & t.on;
     }
     const Mask<T>& colliding = t.colliding;
     if (!any(colliding)) return;
     transport::Photon<T> photon = t.photon;
-    const Index<T> here = world.sea.at(photon.line, photon.layer);
-    book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
-    if (world.sea.bed_angles > 0) book_bed(photon, colliding);
+    const Index<T> here = world.slabs.at(photon.line, photon.layer);
+    book(ledger.absorbed, colliding, photon.weight * gather<T>(world.slabs.absorption, here));
+    if (world.slabs.bed_angles > 0) book_bed(photon, colliding);
     companions_of<Events>(world, t).before(photon);
-    t.branch = transport::collide(world.sea, photon, t.spectral_bin, world.conversion, t.choices[0],
-                                  t.choices[1]);
+    t.branch = transport::collide(world.slabs, photon, t.spectral_bin, world.forward.conversion,
+                                  t.choices[0], t.choices[1]);
     transport::Photon<T>& after = t.photon;
     after.weight = select(colliding, photon.weight, after.weight);
     after.analog_weight = select(colliding, photon.analog_weight, after.analog_weight);
@@ -108,29 +108,29 @@ struct ForwardSteps {
   /// They go on in a direction about their own, or towards a target.
   template <class Each>
   void scatter(Each each) {
-    if (world.directs) each([&](auto& t) { aim_at_targets(world, t); });
+    if (world.forward.directs) each([&](auto& t) { aim_at_targets(world, t); });
     each([&](auto& t) { deflect(t); });
     each([&](auto& t) { turn(t); });
-    if (world.directs) each([&](auto& t) { weigh_direction(t); });
-    if (world.sea.bed_angles > 0) each([&](auto& t) { leave_bed(t); });
+    if (world.forward.directs) each([&](auto& t) { weigh_direction(t); });
+    if (world.slabs.bed_angles > 0) each([&](auto& t) { leave_bed(t); });
   }
 
   void play_roulette(ForwardTracks<T>& t) {
     if constexpr (Events::tools)
       t.on = end_with_tools(world, t, t.on, left_of_direction(t), ledger);
-    else if (any(t.photon.analog_weight < world.weight_threshold))
-      t.on = estimator::play_roulette(t.photon, world.weight_threshold, left_of_direction(t), t.on,
-                                      ledger);
+    else if (any(t.photon.analog_weight < world.forward.weight_threshold))
+      t.on = estimator::play_roulette(t.photon, world.forward.weight_threshold,
+                                      left_of_direction(t), t.on, ledger);
   }
   [[nodiscard]] static const Index<T>& event_of(const ForwardTracks<T>& t) { return t.place.event; }
 
  private:
-  [[nodiscard]] bool flies_on() const { return !Events::tools && world.flies_on; }
+  [[nodiscard]] bool flies_on() const { return !Events::tools && world.forward.flies_on; }
 
   /// Books the weight that the bed absorbs.
   void book_bed(const transport::Photon<T>& photon, const Mask<T>& colliding) {
-    const T albedo = surface::bed_albedo(world.sea, photon.line, T(-photon.direction.z));
-    book(ledger.sea_bed, colliding & surface::on_bed<T>(world.sea, photon.layer),
+    const T albedo = surface::bed_albedo(world.slabs, photon.line, T(-photon.direction.z));
+    book(ledger.sea_bed, colliding & surface::on_bed<T>(world.slabs, photon.layer),
          photon.weight * (T(1) - albedo));
   }
 
@@ -139,11 +139,11 @@ struct ForwardSteps {
   /// others use the rest of the number that it is played by. Returns which go on.
   Mask<T> reflect_in_flight(ForwardTracks<T>& t, const Mask<T>& reflected,
                             transport::Photon<T>& photon) {
-    book(ledger.escaped, reflected, transport::reflect_down(world.sea, photon).into_air);
+    book(ledger.escaped, reflected, transport::reflect_down(world.slabs, photon).into_air);
     constexpr double far_less = 1.0 / 8;
-    const Mask<T> light = photon.analog_weight < T(far_less) * world.weight_threshold;
+    const Mask<T> light = photon.analog_weight < T(far_less) * world.forward.weight_threshold;
     if (!any(reflected & light)) return reflected;
-    const T level = select(reflected & light, world.weight_threshold, T(0));
+    const T level = select(reflected & light, world.forward.weight_threshold, T(0));
     T& u = t.u[3];
     const T chance = transport::survival(photon, level);
     const Mask<T> survives = estimator::play_roulette(photon, level, u, reflected, ledger);
@@ -153,39 +153,39 @@ struct ForwardSteps {
 
   void deflect(ForwardTracks<T>& t) {
     if (!any(t.colliding)) return;
-    t.deflection = transport::deflect(world.sea, t.photon.layer, t.photon.direction, t.branch.phase,
-                                      t.branch.lobe, t.targets, world.directed,
-                                      {t.u[1], t.u[2], t.u[3], t.choices[2]});
+    t.deflection = transport::deflect(
+        world.slabs, t.photon.layer, t.photon.direction, t.branch.phase, t.branch.lobe, t.targets,
+        world.forward.directed, {t.u[1], t.u[2], t.u[3], t.choices[2]});
   }
   void turn(ForwardTracks<T>& t) {
     const Mask<T>& colliding = t.colliding;
     if (!any(colliding)) return;
     transport::Photon<T>& photon = t.photon;
-    if (world.directs) t.old_direction = photon.direction;
+    if (world.forward.directs) t.old_direction = photon.direction;
     photon.direction = select<T>(colliding, transport::turned(t.deflection), photon.direction);
     companions_of<Events>(world, t).collided(photon, colliding);
   }
   /// The weight takes the ratio of the true density of directions to that with targets.
   void weigh_direction(ForwardTracks<T>& t) {
     if (!any(t.colliding)) return;
-    const T ratio =
-        transport::true_over_drawn(world.sea, t.photon.layer, t.old_direction, t.photon.direction,
-                                   t.branch.phase, t.branch.lobe, t.targets, world.directed);
+    const T ratio = transport::true_over_drawn(world.slabs, t.photon.layer, t.old_direction,
+                                               t.photon.direction, t.branch.phase, t.branch.lobe,
+                                               t.targets, world.forward.directed);
     t.photon.weight = t.photon.weight * select(t.colliding, ratio, T(1));
   }
   /// Ends the photons that were sent towards a target below it: no light goes there.
   void leave_bed(ForwardTracks<T>& t) {
     t.on = t.on & !(t.colliding & (t.photon.weight == T(0)));
-    t.touched = select(t.colliding, transport::touched_at<T>(world.sea, t.photon.layer, t.touched),
-                       t.touched);
+    t.touched = select(t.colliding,
+                       transport::touched_at<T>(world.slabs, t.photon.layer, t.touched), t.touched);
     t.photon.layer =
-        select(t.colliding, world.sea.template layer_of<T>(t.photon.layer), t.photon.layer);
+        select(t.colliding, world.slabs.template layer_of<T>(t.photon.layer), t.photon.layer);
   }
   /// The rest of the number that decided whether directions were drawn towards targets.
   T left_of_direction(const ForwardTracks<T>& t) const {
     const T& u = t.u[3];
-    if (!world.directs) return u;
-    return select(t.colliding, left_of_choice(u, t.targets.share(world.directed)), u);
+    if (!world.forward.directs) return u;
+    return select(t.colliding, left_of_choice(u, t.targets.share(world.forward.directed)), u);
   }
 };
 

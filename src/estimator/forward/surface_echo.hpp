@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "estimator/draws.hpp"
 #include "estimator/forward/history.hpp"
@@ -17,7 +18,7 @@ void rise_to_surface(const World<T>& world, ForwardTracks<T>& t, Estimates<T>& e
                      tally::BatchTally& tally, Ledger& ledger) {
   const auto companions = companions_of<Events>(world, t);
   companions.before(t.photon);
-  const auto up = transport::come_up(world.sea, t.photon);
+  const auto up = transport::come_up(world.slabs, t.photon);
   const Mask<T> rises = t.on & up.rises;
   if (!any(rises)) return;
   companions.flown(t.photon, up.way.length, rises);
@@ -28,17 +29,18 @@ void rise_to_surface(const World<T>& world, ForwardTracks<T>& t, Estimates<T>& e
 template <class Events, class Ledger, class T>
 void echo_of_surface(const World<T>& world, std::uint64_t first, std::uint64_t count,
                      tally::BatchTally& tally) {
-  const Draws<T> draws = draws_of_laser(world, first);
-  ForwardTracks<T> t(world);
+  const Draws<T> draws = draws_of_laser<T>(world.random, first);
+  std::vector<instrument::PlanePoint<T>> lens(lens_points(world));
+  ForwardTracks<T> t(world, lens);
   Estimates<T> estimates(world);
-  PathRatios<T> paths(world.sea.environments, lanes_of<T>);
+  PathRatios<T> paths(world.slabs.environments, lanes_of<T>);
   t.ratios.paths = &paths;
   Ledger not_counted;
   for (std::uint64_t n = 0; n < count; n += lanes_of<T>) {
-    for (std::size_t k = 0; k < lanes_of<T>; ++k) paths.begin(world.sea.environments, k);
+    for (std::size_t k = 0; k < lanes_of<T>; ++k) paths.begin(world.slabs.environments, k);
     birth<Events>(world, draws, static_cast<std::int32_t>(n), first_lanes<T>(count - n), t,
                   estimates, tally, not_counted);
-    if (!world.laser_region.in_air)
+    if (!world.instruments.laser_region.outside)
       rise_to_surface<Events>(world, t, estimates, tally, not_counted);
   }
   flush_queues(world, estimates, tally);

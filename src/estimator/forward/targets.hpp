@@ -16,17 +16,18 @@ void aim_at_telescopes(const World<T>& world, ForwardTracks<T>& at) {
   Targets<T>& targets = at.targets;
   const Vec3<T>& from = at.photon.position;
   const Index<T>& line = at.photon.line;
-  for (std::size_t g = 0; g < world.groups.size(); ++g) {
-    const auto& telescope = world.groups[g].widest;
-    const Vec3<T> to = world.single_rays ? in_space(telescope, at.lens[g]) : telescope.position;
-    const auto& region = world.groups[g].region;
-    for (const auto route : geometry::routes_to(region.in_air)) {
+  for (std::size_t g = 0; g < world.instruments.groups.size(); ++g) {
+    const auto& telescope = world.instruments.groups[g].widest;
+    const Vec3<T> to =
+        world.forward.single_rays ? in_space(telescope, at.lens[g]) : telescope.position;
+    const auto& region = world.instruments.groups[g].region;
+    for (const auto route : geometry::routes_to(region.outside)) {
       if (targets.count == target_capacity) return;
       const auto [direction, in_front] =
-          by_waves(world, region, route)
-              ? aim_by_waves(world.sea, telescope, region, from, line, at.lens[g],
+          by_waves(world.slabs, region, route)
+              ? aim_by_waves(world.slabs, telescope, region, from, line, at.lens[g],
                              {at.surface[0], at.surface[1], at.surface[2]})
-              : aim(world.sea, telescope, region, from, line, to, route,
+              : aim(world.slabs, telescope, region, from, line, to, route,
                     may_be_seen(world, g, from, line, at.lens));
       targets.add(direction, T(0), select(in_front, T(1), T(0)));
     }
@@ -38,11 +39,12 @@ void aim_at_telescopes(const World<T>& world, ForwardTracks<T>& at) {
 /// whatever angle. The cones hold the whole of a view's parts, or light from the side could enter
 /// it by a direction that is drawn too rarely.
 template <class T>
-void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Targets<T>& targets) {
+void aim_at_views(const ForwardSettings<T>& forward, const transport::Photon<T>& photon,
+                  Targets<T>& targets) {
   using std::sqrt;
   const Mask<T> convertible = photon.line == Index<T>(0);
   if (!any(convertible)) return;
-  for (const auto& view : world.views) {
+  for (const auto& view : forward.views) {
     for (const auto& ball : view.part) {
       if (targets.count == target_capacity) return;
       const Vec3<T> there = ball.centre - photon.position;
@@ -64,7 +66,7 @@ void aim_at_targets(const World<T>& world, ForwardTracks<T>& at) {
   if (!any(at.colliding)) return;
   at.targets.clear();
   aim_at_telescopes(world, at);
-  aim_at_views(world, at.photon, at.targets);
+  aim_at_views(world.forward, at.photon, at.targets);
 }
 
 }  // namespace photic::estimator

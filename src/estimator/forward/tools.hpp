@@ -32,8 +32,8 @@ T importance_at(const Tools<T>& tools, const T& depth) {
 
 /// Returns which photons fly so that they do not leave the water.
 template <class T>
-Mask<T> are_forced(const World<T>& world, const RandomPlace<T>& place) {
-  return place.event <= world.tools.forced_flights;
+Mask<T> are_forced(const Tools<T>& tools, const RandomPlace<T>& place) {
+  return place.event <= tools.forced_flights;
 }
 
 /// Before the flight of photons that are `on` their way.
@@ -42,11 +42,12 @@ void begin_with_tools(const World<T>& world, ForwardTracks<T>& tracks, const Mas
                       Ledger& ledger) {
   transport::Photon<T>& photon = tracks.photon;
   tracks.analog_before = photon.analog_weight;
-  tracks.importance_before = importance_at(world.tools, geometry::depth_of(photon.position));
+  tracks.importance_before =
+      importance_at(world.forward.tools, geometry::depth_of(photon.position));
   tracks.stays = T(1);
-  const Mask<T> forced = are_forced(world, tracks.place);
+  const Mask<T> forced = are_forced(world.forward.tools, tracks.place);
   if (!any(forced)) return;
-  const auto away = escape(world.sea, photon);
+  const auto away = escape(world.slabs, photon);
   book(ledger.escaped, on & forced & away.surface, away.weight);
   book(ledger.sea_bed, on & forced & !away.surface, away.weight);
   const T& stays = tracks.stays = select(forced, T(1) - away.probability, T(1));
@@ -60,8 +61,8 @@ template <class T, class Ledger>
 Mask<T> split(const World<T>& world, ForwardTracks<T>& tracks, const Mask<T>& on, Ledger& ledger) {
   transport::Photon<T>& photon = tracks.photon;
   tracks.copies = Index<T>(0);
-  const T ratio =
-      importance_at(world.tools, geometry::depth_of(photon.position)) / tracks.importance_before;
+  const T ratio = importance_at(world.forward.tools, geometry::depth_of(photon.position)) /
+                  tracks.importance_before;
   const Mask<T> changes = on & !(ratio == T(1));
   if (!any(changes)) return on;
   const T u = uniforms(tracks.place, split_blocks[0])[0];
@@ -81,9 +82,9 @@ template <class T, class Ledger>
 Mask<T> end_with_tools(const World<T>& world, ForwardTracks<T>& tracks, Mask<T> on, const T& u,
                        Ledger& ledger) {
   transport::Photon<T>& photon = tracks.photon;
-  const T& threshold = world.weight_threshold;
+  const T& threshold = world.forward.weight_threshold;
   const T& before = tracks.analog_before;
-  switch (world.tools.at_threshold) {
+  switch (world.forward.tools.at_threshold) {
     case scene::AtThreshold::roulette:
       on = play_roulette(photon, threshold, u, on, ledger);
       break;

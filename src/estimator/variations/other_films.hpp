@@ -58,7 +58,7 @@ class OtherEmission {
     const T along = dot(direction, at.normal);
     up_ = up;
     line_ = each_lane(line);
-    from_above_ = each_lane(select(at.in_air, T(1), T(0)));
+    from_above_ = each_lane(select(at.outside, T(1), T(0)));
     cosine_in_ = each_lane(T(abs(dot(at.direction, at.normal))));
     cosine_out_ = each_lane(up ? along : T(T(0) - along));
     here_ = each_lane(surface::emitted_by_film(sea, at, line, direction, up));

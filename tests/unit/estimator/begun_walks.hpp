@@ -13,7 +13,7 @@ struct SeaOfWaves : Sea {
              const medium::Waves& waves, const std::vector<double>& bed_albedo)
       : Sea(source, telescope, sea_of(waves, bed_albedo)) {
     const auto cones = [&](bool frees) {
-      return std::vector{world.laser_region.in_air
+      return std::vector{world.instruments.laser_region.outside
                              ? cone_under_waves(source, medium, medium.top.back(), frees)
                              : cone_of_own_rays(source, medium),
                          cone_under_waves(telescope, medium, medium.top.back(), frees)};
@@ -21,10 +21,10 @@ struct SeaOfWaves : Sea {
     free_cones = cones(true);
     own_cones = cones(false);
     averaged = {medium, free_cones};
-    world.averaged = averaged.view();
-    world.deepest = medium.top.back();
-    world.key = 5;
-    world.batch_photons = 1000000;
+    world.walks.averaged = averaged.view();
+    world.walks.deepest = medium.top.back();
+    world.random.key = 5;
+    world.random.batch_photons = 1000000;
     begin(true);
   }
   static transport::Sea sea_of(const medium::Waves& waves, const std::vector<double>& bed_albedo) {
@@ -41,8 +41,9 @@ struct Begun {
 };
 /// The n-th of a sea, which detect a line.
 inline Begun begin_walks(const World<double>& world, std::int32_t line, std::int32_t n) {
-  const Draws<double> laser(world, 0, 0, 0), back(world, 0, 4, 1);
-  const Receiver<double> receiver{0, 0, 0, world.telescope_region[0], line, -1, 1e4, 1e4};
+  const Draws<double> laser(world.random, 0, 0, 0), back(world.random, 0, 4, 1);
+  const Receiver<double> receiver{0,    0,  0,   world.instruments.telescope_region[0],
+                                  line, -1, 1e4, 1e4};
   tally::Ledger ledger;
   FromLaser<double, tally::Ledger> from_laser{{laser, 0}, world, ledger};
   FromTelescope<double, tally::Ledger> from_telescope{{back, 0}, world, receiver};
@@ -76,7 +77,7 @@ inline Path path_of(const World<double>& world, const Begun& begun,
   Path path;
   path.lens = begun.record.lens;
   path.telescope_entry = entry_of(begun.back);
-  if (world.laser_region.in_air) path.laser_entry = entry_of(begun.laser);
+  if (world.instruments.laser_region.outside) path.laser_entry = entry_of(begun.laser);
   const V first = at_depth(begun.laser, depths.front()), last = at_depth(begun.back, depths.back());
   for (const double depth : depths) {
     const V middle = 0.5 * (first + last);
@@ -95,19 +96,19 @@ inline Path entering_by_slopes(const World<double>& world, std::int32_t instrume
   const auto level = level_to(world, instrument, lit ? 0 : path.line,
                               lit ? path.x(1) : path.x(path.order()), path.lens, true);
   (lit ? path.laser_entry : path.telescope_entry) = Entry{transport::point_by_slopes(
-      level, world.sea.waves, birth.entry.u_slope, birth.entry.u_azimuth)};
+      level, world.slabs.waves, birth.entry.u_slope, birth.entry.u_azimuth)};
   return path;
 }
 /// Whether an instrument's own rays come to its entry, or to its end of the path if it is in the
 /// water.
 inline bool reaches(const World<double>& world, std::int32_t instrument, const Path& path) {
-  const auto& laser = world.laser;
-  if (instrument == of_laser && laser.submerged)
+  const auto& laser = world.instruments.laser;
+  if (instrument == of_laser && laser.inside)
     return one_minus_cos(normalised(path.x(1) - fictitious_vertex(laser)), laser.axis) <
            laser.one_minus_cos_divergence;
   double density = 0;
   const auto& entry = instrument == of_laser ? path.laser_entry : path.telescope_entry;
-  return entry_at(world, instrument, entry->at, path.lens, density).exists;
+  return entry_at(world.instruments, instrument, entry->at, path.lens, density).exists;
 }
 
 /// The path as it goes by another point of the lens, all of it beyond the laser's part aside. Its
@@ -115,7 +116,7 @@ inline bool reaches(const World<double>& world, std::int32_t instrument, const P
 inline Path through_lens_at(const World<double>& world, const Begun& begun,
                             const instrument::PlanePoint<double>& lens, Path path, V& aside) {
   const V& outward = begun.record.outward;
-  const V from = in_space(world.telescopes[0], lens);
+  const V from = in_space(world.instruments.telescopes[0], lens);
   aside = from - (from.z / outward.z) * outward - path.telescope_entry->at;
   aside.z = 0;
   path.lens = lens;

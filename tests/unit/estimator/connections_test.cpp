@@ -103,8 +103,8 @@ TEST(StrategiesOfPath, OfATiltedLaserInWaterThatConvertsNothingAgree) {
   int rotated = 0;
   const Place place = above_water()[1];
   Sea sea(place.source, place.telescope);
-  sea.world.inverse_conversion.scattered = 0;
-  sea.world.uses.rotated_scattered = true;
+  sea.world.walks.inverse_conversion.scattered = 0;
+  sea.world.walks.uses.rotated_scattered = true;
   for (int n = 0; n < 300; ++n) {
     const auto path = random_path(random, 1 + n % 3, 1, n % 2 == 0 ? 4.9 : 25);
     SCOPED_TRACE("path " + std::to_string(n));
@@ -166,7 +166,7 @@ TEST(StrategiesOfPath, ByWayOfTheSurfaceAgree) {
 // where rays meet, straight or by way of the surface.
 TEST(StrategiesOfPath, InTheAirAgree) {
   auto air = transport::make_sea(40);
-  air.upside_down = true;
+  air.kind = medium::MediumKind::air;
   air.air_m = 40;
   for (auto& line : air.line) line.group_index = 1;
   air.delay = {0.3, 0.1, 0.02, 0.31, 0.11, 0.03, 0.32, 0.12, 0.04};
@@ -288,7 +288,7 @@ TEST(StrategiesOfPath, OfLightThatTheBedReflectsAgree) {
   for (const Place& place : submerged()) places.push_back(place);
   for (const Place& place : places) {
     Sea sea(place.source, place.telescope, transport::make_sea(13, bed_by_angle()));
-    sea.world.deepest = 13;
+    sea.world.walks.deepest = 13;
     const auto looks = [](const auto& instrument) {
       return instrument.position_m.z > 0 || instrument.direction.z < 0;
     };
@@ -359,7 +359,7 @@ TEST(StrategiesOfPath, OfPathsThatAWalkGoesBeyondAgree) {
     longer.vertex.insert(longer.vertex.begin(), beyond.vertex.begin(), beyond.vertex.end());
     longer.converted = n % 2 == 0 ? 2 : 4;
     SCOPED_TRACE("path " + std::to_string(n));
-    sea.world.max_vertices = max_vertices;
+    sea.world.walks.max_vertices = max_vertices;
     const StrategiesOfPath expected(sea.world, sea.medium, rotating, path, max_vertices);
     Scores scores(sea.world, rotating, sea.medium, path, expected.group_path());
     EXPECT_NEAR(scores.connecting_first_of_a_longer(longer) / expected.value(), 1, 1e-10);

@@ -29,9 +29,9 @@ constexpr std::uint32_t laser = 0, telescope = 1;
 
 TEST(Draws, AreIndependentIfAskedTo) {
   const auto world = world_with("random");
-  const Draws<double> draws{world, world.batch_photons, 4, telescope};
+  const Draws<double> draws{world.random, world.random.batch_photons, 4, telescope};
   EXPECT_EQ(draws(7, 1, 1),
-            uniforms(RandomPlace<double>{world.key, world.batch_photons + 7, 1}, 5));
+            uniforms(RandomPlace<double>{world.random.key, world.random.batch_photons + 7, 1}, 5));
 }
 
 // Seen red: without the check, with the last telescopes drawing what facets do.
@@ -59,7 +59,7 @@ TEST(Draws, OfAnyBatchFillTheirRange) {
     for (std::int32_t event = 0; event < 3; ++event) {
       for (std::size_t i = 0; i < 4; ++i) {
         std::set<int> cells;
-        const Draws<double> draws{world, batch * world.batch_photons, 4, telescope};
+        const Draws<double> draws{world.random, batch * world.random.batch_photons, 4, telescope};
         for (std::int32_t n = 0; n < 1024; ++n)
           cells.insert(static_cast<int>(1024 * draws(n, event, 1)[i]));
         EXPECT_EQ(cells.size(), 1024U) << batch << ", " << event << ", " << i;
@@ -73,7 +73,7 @@ TEST(Draws, OfOneEventTogetherAreThoseOfEach) {
   for (const char* sampling : {"quasi-random", "random"}) {
     const auto world = world_with(sampling);
     for (const std::uint32_t slot : {laser, telescope}) {
-      const Draws<double> draws{world, 2 * world.batch_photons, 4, slot};
+      const Draws<double> draws{world.random, 2 * world.random.batch_photons, 4, slot};
       for (std::int32_t event = 0; event < 5; ++event) {
         for (std::uint32_t block = 0; block < 5; ++block) {
           for (const std::int32_t n : {0, 1, 777, 1999})
@@ -108,7 +108,7 @@ TEST(Draws, OfTheForwardEstimatorAreSpreadWhereFlagsSuffice) {
 TEST(Draws, FillTheLasersDisc) {
   const auto world = world_with("quasi-random");
   std::set<std::pair<int, int>> cells;
-  const Draws<double> draws{world, 0, 0, laser};
+  const Draws<double> draws{world.random, 0, 0, laser};
   for (std::int32_t n = 0; n < 1024; ++n) {
     const auto u = draws(n, 0, 0);
     cells.emplace(static_cast<int>(32 * u[0]), static_cast<int>(32 * u[1]));
@@ -131,11 +131,11 @@ TEST(Draws, OfBatchesEventsAndBlocksDiffer) {
     }
   };
   for (const std::uint64_t photon :
-       {std::uint64_t{0}, world.batch_photons, 2 * world.batch_photons}) {
-    note({world, photon, 0, laser}, 0);
+       {std::uint64_t{0}, world.random.batch_photons, 2 * world.random.batch_photons}) {
+    note({world.random, photon, 0, laser}, 0);
     for (const std::uint32_t receiver : {0U, 1U}) {
-      note({world, photon, 4 + 4 * receiver, telescope}, 0);
-      note({world, photon, 4 + 4 * receiver, telescope}, 1);
+      note({world.random, photon, 4 + 4 * receiver, telescope}, 0);
+      note({world.random, photon, 4 + 4 * receiver, telescope}, 1);
     }
   }
   EXPECT_EQ(seen.size(), drawn);
@@ -143,8 +143,8 @@ TEST(Draws, OfBatchesEventsAndBlocksDiffer) {
 
 TEST(Draws, OfLaterEventsAreIndependent) {
   const auto world = world_with("quasi-random");
-  const Draws<double> draws{world, 0, 0, laser};
-  EXPECT_EQ(draws(7, 3, 0), uniforms(RandomPlace<double>{world.key, 7, 3}, 0));
+  const Draws<double> draws{world.random, 0, 0, laser};
+  EXPECT_EQ(draws(7, 3, 0), uniforms(RandomPlace<double>{world.random.key, 7, 3}, 0));
 }
 
 }  // namespace

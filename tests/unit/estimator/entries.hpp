@@ -67,7 +67,7 @@ inline V level_point(const V& from, double n, const V& to) {
 /// from the level one on (theory.md, eq. 90) [1/m^2].
 inline double drawn_by_slopes(const World<double>& world, const V& from, double n, const V& to,
                               const V& at) {
-  const auto& waves = world.sea.waves;
+  const auto& waves = world.slabs.waves;
   const V level = level_point(from, n, to);
   const auto m = slopes_per_metre(from, n, to, level);
   const V off = at - level;
@@ -83,7 +83,7 @@ inline double drawn_by_slopes(const World<double>& world, const V& from, double 
 /// How much of light that goes one way another one's facets send there, per solid angle.
 inline double sent_on(const World<double>& world, std::int32_t line, bool down, const V& from,
                       const V& to) {
-  return surface::rough_surface<double>(world.sea, line).density(down, false, from, to);
+  return surface::rough_surface<double>(world.slabs, line).density(down, false, from, to);
 }
 
 /// With what is the same of both instruments. `outside`: direction of the ray away from the
@@ -92,12 +92,12 @@ inline double sent_on(const World<double>& world, std::int32_t line, bool down, 
 inline void add_connections(const World<double>& world, std::int32_t instrument, std::int32_t line,
                             const V& outside, const V& place, const Entry& entry, const V& vertex,
                             double by_rays, WayByEntry& way) {
-  const auto& cone = world.cone(instrument);
+  const auto& cone = world.walks.cone(instrument);
   if (entry.drawn_weight > 0) {
     way.value = entry.drawn_weight;
     return;
   }
-  const double n_axis = world.sea.index[0], n = world.sea.index[line];
+  const double n_axis = world.slabs.index[0], n = world.slabs.index[line];
   const V refracted{outside.x / n_axis, outside.y / n_axis,
                     -geometry::cosine_in_water(outside.z, n_axis)};
   const double solid_angle =
@@ -112,7 +112,7 @@ inline void add_connections(const World<double>& world, std::int32_t instrument,
 
 /// Of the laser's light the share comes by a level area that its own rays are drawn with.
 inline WayByEntry way_of_laser(const World<double>& world, const Path& path) {
-  const auto& laser = world.laser;
+  const auto& laser = world.instruments.laser;
   const Entry& entry = *path.laser_entry;
   const V from_vertex = entry.at - fictitious_vertex(laser);
   const V outside = normalised(from_vertex);
@@ -130,7 +130,7 @@ inline WayByEntry way_of_laser(const World<double>& world, const Path& path) {
 /// What leaves the water at an entry for a point of the lens is reported as by the local estimate
 /// (theory.md, eq. 89).
 inline WayByEntry way_of_telescope(const World<double>& world, const Path& path) {
-  const auto& telescope = world.telescopes[0];
+  const auto& telescope = world.instruments.telescopes[0];
   const Entry& entry = *path.telescope_entry;
   const V lens = in_space(telescope, path.lens), on = lens - entry.at, seen = normalised(on);
   const double square = dot(on, on), cosine = -dot(seen, telescope.axis);

@@ -37,7 +37,7 @@ struct Lidar {
     telescope.diameter_m = 2;
     telescope.focal_length_m = 4;
     telescope.detector_diameter_m = 0.01;
-    const V origin = estimator::origin_of(source, false);
+    const V origin = estimator::origin_of(source, medium::MediumKind::water);
     source = estimator::from_origin(source, origin);
     telescope = estimator::from_origin(telescope, origin);
   }

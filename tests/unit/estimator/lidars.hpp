@@ -16,37 +16,41 @@ struct Sea {
   Sea(const scene::Source& source, const scene::Telescope& telescope,
       const transport::Sea& with = transport::make_sea(40))
       : medium(with) {
-    world.sea = medium.view();
-    world.laser = instrument::make_laser<double>(source);
-    world.laser_region = transport::region_at(medium, source.position_m);
-    world.telescopes = {instrument::make_telescope<double>(telescope)};
-    world.telescope_region = {transport::region_at(medium, telescope.position_m)};
-    world.inverse_conversion = {0.3, 0.5,
-                                geometry::axis_in_water(source.position_m, world.laser.axis,
-                                                        medium.line[0].refractive_index)
-                                    .direction,
-                                1, 0.2};
+    world.slabs = medium.view();
+    world.instruments.laser = instrument::make_laser<double>(source);
+    world.instruments.laser_region = transport::region_at(medium, source.position_m);
+    world.instruments.telescopes = {instrument::make_telescope<double>(telescope)};
+    world.instruments.telescope_region = {transport::region_at(medium, telescope.position_m)};
+    world.walks.inverse_conversion = {
+        0.3, 0.5,
+        geometry::axis_in_water(source.position_m, world.instruments.laser.axis,
+                                medium.line[0].refractive_index)
+            .direction,
+        1, 0.2};
     const std::vector<InnerCone> inner{{0.2, 0.3}, {0.5, 0.4}};
     free_cones = {entry_cone(source, medium, 40), entry_cone(telescope, medium, 40, inner)};
     own_cones = {cone_of_own_rays(source, medium), cone_of_own_rays(telescope, medium, inner)};
     begin(true);
     averaged = {medium, free_cones};
-    world.averaged = averaged.view();
-    world.path_to_origin = {path_to_origin(
+    world.walks.averaged = averaged.view();
+    world.instruments.path_to_origin = {path_to_origin(
         geometry::ahead_of(source.position_m, normalised(source.direction)), telescope, false)};
-    world.groups = {
-        {0, world.telescopes[0], world.telescope_region[0], world.path_to_origin[0], {}}};
-    world.deepest = 40;
-    world.max_vertices = max_vertices;
-    world.uses.to_laser = instrument::can_be_met(world.laser);
-    world.uses.rotated_scattered =
-        world.inverse_conversion.beam.x == 0 && world.inverse_conversion.beam.y == 0;
+    world.instruments.groups = {{0,
+                                 world.instruments.telescopes[0],
+                                 world.instruments.telescope_region[0],
+                                 world.instruments.path_to_origin[0],
+                                 {}}};
+    world.walks.deepest = 40;
+    world.walks.max_vertices = max_vertices;
+    world.walks.uses.to_laser = instrument::can_be_met(world.instruments.laser);
+    world.walks.uses.rotated_scattered =
+        world.walks.inverse_conversion.beam.x == 0 && world.walks.inverse_conversion.beam.y == 0;
   }
   /// Walks begin so that they may be free, or with the instruments' own rays.
   void begin(bool free) {
     const auto& cones = free ? free_cones : own_cones;
-    world.laser_cone = cones[0];
-    world.telescope_cones = {cones[1]};
+    world.walks.laser_cone = cones[0];
+    world.walks.telescope_cones = {cones[1]};
   }
   Sea(const Sea&) = delete;  // the world looks into the medium
   Sea& operator=(const Sea&) = delete;

@@ -84,20 +84,22 @@ inline V direction_to(const V& from, const V& to, bool mirrored) {
 inline geometry::Sightline<double> way_to(const World<double>& world, const V& from,
                                           std::int32_t line, const V& to, bool mirrored) {
   const auto route = mirrored ? geometry::Route::mirrored : geometry::Route::direct;
-  return geometry::sightline(world.sea, from, line, to, {to.z >= 0, {}}, route, true);
+  return geometry::sightline(world.slabs, from, line, to, {to.z >= 0, {}}, route, true);
 }
 inline geometry::Sightline<double> way_to_laser(const World<double>& world, const Path& path) {
-  return way_to(world, path.x(1), 0, fictitious_vertex(world.laser), path.is_mirrored(0));
+  return way_to(world, path.x(1), 0, fictitious_vertex(world.instruments.laser),
+                path.is_mirrored(0));
 }
 inline geometry::Sightline<double> way_to_lens(const World<double>& world, const Path& path) {
-  return way_to(world, path.x(path.order()), path.line, in_space(world.telescopes[0], path.lens),
+  return way_to(world, path.x(path.order()), path.line,
+                in_space(world.instruments.telescopes[0], path.lens),
                 path.is_mirrored(path.order()));
 }
 
 /// The path translated sideways, with the point of the lens' plane by which its last ray then
 /// comes.
 inline Path translated_path(const World<double>& world, const Path& path, const V& translation) {
-  const auto& telescope = world.telescopes[0];
+  const auto& telescope = world.instruments.telescopes[0];
   const V outward = -way_to_lens(world, path).arriving;
   const V on_ray = in_space(telescope, path.lens) + translation;
   const V at = on_ray + dot(telescope.position - on_ray, telescope.axis) /
@@ -120,7 +122,7 @@ class Writer {
  public:
   Writer(const World<double>& world, const Samples<double>& samples, const Birth<double>& birth,
          BirthRecord<double> record, bool from_telescope)
-      : walks(1, from_telescope, birth.spread.through_surface, world.sea),
+      : walks(1, from_telescope, birth.spread.through_surface, world.slabs),
         world_(world),
         samples_(samples),
         instrument_(from_telescope ? of_telescope(0) : of_laser),
@@ -141,16 +143,16 @@ class Writer {
     } else if (mirrored) {
       const double rise = -photon_.position.z / photon_.direction.z;
       fly_to(photon_.position + rise * photon_.direction, leg);
-      transport::reflect_down(world_.sea, photon_);
+      transport::reflect_down(world_.slabs, photon_);
       leg.reflected = true;
     }
     fly_to(place, leg);
-    const bool bed = on_bed(world_.sea, place);
+    const bool bed = on_bed(world_.slabs, place);
     if (bed)
-      photon_.layer = world_.sea.layers;
+      photon_.layer = world_.slabs.layers;
     else
-      photon_.weight *= world_.sea.collision_gain[here()];
-    const auto& cone = world_.cone(instrument_);
+      photon_.weight *= world_.slabs.collision_gain[here()];
+    const auto& cone = world_.walks.cone(instrument_);
     const std::int32_t before = walks.vertices(0);
     const auto spread = before == 0 && cone.enters_by_slopes ? spread_with_slopes() : spread_;
     if (before == 0) photon_.weight *= cone.over_reach(leg.walk_tau, photon_.direction.z, bed);
@@ -158,10 +160,10 @@ class Writer {
                                   leg,
                                   before == 0,
                                   before > 1,
-                                  reach_of(world_.sea, cone, before == 0, photon_, leg),
+                                  reach_of(world_.slabs, cone, before == 0, photon_, leg),
                                   walks.has_facets() ? &sent_back : nullptr,
                                   walks.rotates(0, before)};
-    vertex_ = vertex_on(world_.sea, arrival, spread, photon_, walks.axis(0), samples_);
+    vertex_ = vertex_on(world_.slabs, arrival, spread, photon_, walks.axis(0), samples_);
     walks.add(true, 0, before, vertex_);
     if (before < 2) {
       first_.arrive(vertex_, arrival, spread, samples_);
@@ -195,34 +197,34 @@ class Writer {
                                : direction_to(photon_.position, next, mirrored);
     Departure<double> departure;
     const double p = transport::scattered_density(
-        world_.sea, photon_.layer,
-        converts ? world_.sea.conversion_phase[photon_.line] : world_.sea.elastic_phase[here()],
+        world_.slabs, photon_.layer,
+        converts ? world_.slabs.conversion_phase[photon_.line] : world_.slabs.elastic_phase[here()],
         old, photon_.direction);
-    const double chance = world_.inverse_conversion.chance(world_.sea, photon_.line, photon_.layer,
-                                                           walks.vertices(0) - 1);
+    const double chance = world_.walks.inverse_conversion.chance(
+        world_.slabs, photon_.line, photon_.layer, walks.vertices(0) - 1);
     departure.p = p;
     departure.chance = 1 - chance;
     departure.c_ratio = photon_.line > 0 ? 0 : 1;
     if (converts) {
       departure.chance =
-          chance * world_.inverse_conversion.over_phase(world_.sea, photon_.direction, p);
-      departure.c_ratio = walk_c_ratio<double>(world_.sea, photon_.line, photon_.layer);
-      photon_.weight *= conversion_per_emitted_c<double>(world_.sea, photon_.line, photon_.layer);
+          chance * world_.walks.inverse_conversion.over_phase(world_.slabs, photon_.direction, p);
+      departure.c_ratio = walk_c_ratio<double>(world_.slabs, photon_.line, photon_.layer);
+      photon_.weight *= conversion_per_emitted_c<double>(world_.slabs, photon_.line, photon_.layer);
       photon_.line = 0;
     } else {
       const double laser_side = walks.from_telescope() ? photon_.direction.z : -old.z;
       photon_.weight *=
-          transport::scattered_share(world_.sea, photon_.line, photon_.layer, laser_side);
+          transport::scattered_share(world_.slabs, photon_.line, photon_.layer, laser_side);
       const auto drawn = [&](const V& direction) {
-        return world_.inverse_conversion.scattered_over_phase(world_.sea, photon_.layer, direction,
-                                                              p);
+        return world_.walks.inverse_conversion.scattered_over_phase(world_.slabs, photon_.layer,
+                                                                    direction, p);
       };
       if (!walks.from_telescope()) departure.reverse_chance = drawn(-old);
       if (walks.from_telescope() && photon_.line == 0) departure.chance *= drawn(photon_.direction);
     }
-    photon_.layer = world_.sea.layer_of<double>(photon_.layer);
+    photon_.layer = world_.slabs.layer_of<double>(photon_.layer);
     const std::int32_t left = walks.vertices(0);
-    ray_ = next_ray(world_.sea, photon_, vertex_, departure, left > 2);
+    ray_ = next_ray(world_.slabs, photon_, vertex_, departure, left > 2);
     walks.add(true, 0, left, ray_);
     if (left < 3) {
       first_.depart(ray_,
@@ -232,14 +234,14 @@ class Writer {
       walks.keep(true, 0, first_, true);
     }
     if (walks.from_telescope())
-      walks.pivot(world_.sea, true, 0, walks.vertices(0) - 1, vertex_, ray_,
-                  world_.uses.rotated_scattered);
+      walks.pivot(world_.slabs, true, 0, walks.vertices(0) - 1, vertex_, ray_,
+                  world_.walks.uses.rotated_scattered);
   }
 
   Walks<double> walks;
 
  private:
-  [[nodiscard]] std::int32_t here() const { return world_.sea.at(photon_.line, photon_.layer); }
+  [[nodiscard]] std::int32_t here() const { return world_.slabs.at(photon_.line, photon_.layer); }
 
   /// The first vertex may also be connected by entries that slopes draw.
   [[nodiscard]] Spread<double> spread_with_slopes() const {
@@ -251,15 +253,15 @@ class Writer {
     const auto before = photon_;
     const double distance = length(place - before.position);
     photon_.position = place;
-    photon_.layer = transport::layer_at(world_.sea, before.layer, -place.z);
-    const auto from = geometry::level_of(world_.sea, before);
+    photon_.layer = transport::layer_at(world_.slabs, before.layer, -place.z);
+    const auto from = geometry::level_of(world_.slabs, before);
     photon_.path += geometry::group_path(
-        world_.sea, geometry::Segment<double>{photon_.line, from,
-                                              geometry::level_of(world_.sea, photon_), distance});
-    photon_.weight *= std::exp(-world_.sea.continuous_slant_optical_depth(
-        photon_.line, from, world_.sea.continuous_column(photon_.line, from),
-        geometry::level_of(world_.sea, photon_), distance));
-    add_flight(world_.sea, before, photon_, distance, leg);
+        world_.slabs, geometry::Segment<double>{
+                          photon_.line, from, geometry::level_of(world_.slabs, photon_), distance});
+    photon_.weight *= std::exp(-world_.slabs.continuous_slant_optical_depth(
+        photon_.line, from, world_.slabs.continuous_column(photon_.line, from),
+        geometry::level_of(world_.slabs, photon_), distance));
+    add_flight(world_.slabs, before, photon_, distance, leg);
   }
 
   const World<double>& world_;
@@ -275,12 +277,12 @@ class Writer {
 /// The ray in which a walk of a path leaves its instrument. `way`: to it from the first vertex.
 inline EntryRay<double> entry_ray_of(const World<double>& world, std::int32_t instrument,
                                      std::int32_t line, const geometry::Sightline<double>& way) {
-  const auto& cone = world.cone(instrument);
-  const double n = world.sea.index[line];
+  const auto& cone = world.walks.cone(instrument);
+  const double n = world.slabs.index[line];
   if (cone.even_outside)
     return entry_ray_outside(cone, n, -way.arriving, -way.arriving - cone.outside);
-  const V direction = cone.in_air ? -way.direction : -way.arriving;
-  return entry_ray(cone, n, double(world.sea.index[0]), direction, direction - cone.axis);
+  const V direction = cone.begins_outside ? -way.direction : -way.arriving;
+  return entry_ray(cone, n, double(world.slabs.index[0]), direction, direction - cone.axis);
 }
 
 /// A walk of the laser that has begun, with the first vertices of a path, and on its way to the
@@ -301,13 +303,14 @@ inline Walks<double> laser_walk(const World<double>& world, const Samples<double
 /// One that comes to the path's first vertex.
 inline Walks<double> laser_walk(const World<double>& world, const Samples<double>& samples,
                                 const Path& path, std::int32_t vertices, bool leaves) {
-  const auto& laser = world.laser;
+  const auto& laser = world.instruments.laser;
   const auto way = way_to_laser(world, path);
-  auto birth = birth_at_laser(world.sea, laser, world.laser_region, world.laser_cone,
-                              entry_ray_of(world, of_laser, 0, way));
+  auto birth = birth_at_laser(world.slabs, laser, world.instruments.laser_region,
+                              world.walks.laser_cone, entry_ray_of(world, of_laser, 0, way));
   if (laser.collimated) {
-    birth = birth_at_collimated_laser(world.sea, laser, world.laser_region, world.laser_cone,
-                                      double(world.sea.index[0]), 0.0, 0.0);
+    birth =
+        birth_at_collimated_laser(world.slabs, laser, world.instruments.laser_region,
+                                  world.walks.laser_cone, double(world.slabs.index[0]), 0.0, 0.0);
     birth.photon.position = {path.x(1).x, path.x(1).y, birth.photon.position.z};
   }
   return laser_walk(world, samples, birth, path, vertices, leaves);
@@ -335,7 +338,7 @@ inline Walks<double> telescope_walk(const World<double>& world, const Samples<do
 inline Walks<double> telescope_walk(const World<double>& world, const Samples<double>& samples,
                                     const Path& path, std::int32_t vertices, bool leaves,
                                     double grid_offset = 0) {
-  const auto& telescope = world.telescopes[0];
+  const auto& telescope = world.instruments.telescopes[0];
   const auto way = way_to_lens(world, path);
   BirthRecord<double> record;
   record.lens = path.lens;
@@ -345,7 +348,8 @@ inline Walks<double> telescope_walk(const World<double>& world, const Samples<do
   record.line = path.line;
   return telescope_walk(
       world, samples,
-      birth_at_telescope(world.sea, telescope, world.telescope_region[0], world.telescope_cones[0],
+      birth_at_telescope(world.slabs, telescope, world.instruments.telescope_region[0],
+                         world.walks.telescope_cones[0],
                          entry_ray_of(world, of_telescope(0), path.line, way), path.line,
                          path.lens),
       record, path, vertices, leaves);

@@ -38,10 +38,11 @@ std::string text_of(const Plan& plan) {
   std::string out;
   for (std::size_t i = 0; i < plan.sets.size(); ++i) {
     const HistorySet& set = plan.sets[i];
-    out += fmt::format("{}: {} in {}, draws {}, scores {}{}{}", i, kinds.at(set.kind),
-                       set.model->medium.upside_down ? "air" : "water", stream_name(set.stream),
-                       scored.at(set.scored), set.from_laser ? "" : ", arrivals alone",
-                       set.in_ledger ? ", in ledger" : "");
+    out +=
+        fmt::format("{}: {} in {}, draws {}, scores {}{}{}", i, kinds.at(set.kind),
+                    set.model->medium.kind == medium::MediumKind::air ? "air" : "water",
+                    stream_name(set.stream), scored.at(set.scored),
+                    set.from_laser ? "" : ", arrivals alone", set.in_ledger ? ", in ledger" : "");
     if (set.passes_to)
       out += fmt::format(", {} to {}", set.passes_to->chance < 1 ? "a share" : "all",
                          set.passes_to->set);

@@ -26,7 +26,7 @@ inline Path moved_path(const Path& path, double x, double y) {
 inline Counts expect_same_of_all(Sea& sea, const Path& path, const Samples<double>& samples,
                                  std::int32_t most) {
   Counts counts;
-  sea.world.max_vertices = most;
+  sea.world.walks.max_vertices = most;
   const StrategiesOfPath expected(sea.world, sea.medium, samples, path, most);
   const double value = expected.value();
   Scores scores(sea.world, samples, sea.medium, path, expected.group_path());
@@ -89,7 +89,7 @@ inline Counts expect_same_of_all(Sea& sea, const Path& path, const Samples<doubl
 
 /// With walks that may be free, and without.
 inline Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = max_vertices) {
-  Samples<double> samples = sea.world.uses.rotated_scattered ? rotating : translating;
+  Samples<double> samples = sea.world.walks.uses.rotated_scattered ? rotating : translating;
   const Counts counts = expect_same_of_all(sea, path, samples, most);
   samples.free_telescope = samples.free_laser = {};
   sea.begin(false);

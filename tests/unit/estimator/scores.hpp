@@ -45,7 +45,7 @@ class Scores {
         path_(path),
         window_(medium, length),
         tally_(window_.shape, window_.gates) {
-    receiver_ = {0, 0, 0, world.telescope_region[0], path.line, -1, 1e4, 1e4};
+    receiver_ = {0, 0, 0, world.instruments.telescope_region[0], path.line, -1, 1e4, 1e4};
   }
 
   double connecting(std::int32_t edge) {
@@ -110,7 +110,7 @@ class Scores {
   /// Of a grid's points of which one lies where rays meet at vertex i; on the bed, below it.
   [[nodiscard]] double offset_at(std::int32_t i, const MeetingGrid<double>& of) const {
     const double number = of.number(-path_.x(i).z, path_.order()) +
-                          (on_bed(world_.sea, path_.x(i))
+                          (on_bed(world_.slabs, path_.x(i))
                                ? 0.05 * of.density(path_.order()) * samples_.grid.below_bed()
                                : 0);
     return number - std::floor(number);
@@ -120,10 +120,10 @@ class Scores {
   double taken() {
     const double sum = tally_.parts[static_cast<std::size_t>(path_.order())];
     const bool bed = std::ranges::any_of(
-        path_.vertex, [this](const V& place) { return on_bed(world_.sea, place); });
-    const auto touched = world_.sea.upside_down ? transport::Touched::air
-                         : bed                  ? transport::Touched::bed
-                                                : transport::Touched::water;
+        path_.vertex, [this](const V& place) { return on_bed(world_.slabs, place); });
+    const auto touched = world_.slabs.kind == medium::MediumKind::air ? transport::Touched::air
+                         : bed                                        ? transport::Touched::bed
+                                                                      : transport::Touched::water;
     EXPECT_EQ(tally_.parts[tally_.grids[1].offset + static_cast<std::size_t>(touched)], sum)
         << "of what it has touched";
     tally_.clear();

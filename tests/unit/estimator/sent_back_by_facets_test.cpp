@@ -30,12 +30,12 @@ struct SeaUnderWaves : Sea {
                 const std::vector<double>& bed = {})
       : Sea(source, telescope, transport::make_sea(bed.empty() ? 40 : 15, bed)) {
     begin(false);
-    world.sea.surface = {
+    world.slabs.surface = {
         .one_direction_each = false, .leads_anywhere = true, .isotropic = isotropic};
-    auto& waves = world.sea.waves;
+    auto& waves = world.slabs.waves;
     waves.upwind_deviation = 0.1;
     waves.crosswind_deviation = isotropic ? 0.1 : 0.05;
-    if (!bed.empty()) world.deepest = 15;
+    if (!bed.empty()) world.walks.deepest = 15;
   }
 };
 

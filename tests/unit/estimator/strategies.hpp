@@ -58,24 +58,25 @@ struct StrategiesOfPath {
   /// The same of translating to meet at vertex i.
   [[nodiscard]] double translated(std::int32_t i) const {
     const double last = -path.x(path.order()).z;
-    const bool translates = i == path.order() || all_points_reach(world.telescopes[0], last);
+    const bool translates =
+        i == path.order() || all_points_reach(world.instruments.telescopes[0], last);
     return translates ? samples.translated(path.order()) * translation_area * moved_to(i) : 0;
   }
   /// The same of a telescope's walk that is moved there, and connected to the telescope anew.
   [[nodiscard]] double free_telescope(std::int32_t i) const {
-    if (i == path.order() || !world.telescope_cones[0].by_depth) return 0;
+    if (i == path.order() || !world.walks.telescope_cones[0].by_depth) return 0;
     const Edge& e = edge.back();
     return samples.pairs * samples.free_telescope.density(path.order()) *
            (e.freed * e.spread / samples.to_instrument / std::abs(e.leaving.z)) *
-           world.telescope_cones[0].free_share * mean_over_telescope() * moved_to(i);
+           world.walks.telescope_cones[0].free_share * mean_over_telescope() * moved_to(i);
   }
   /// The same of a laser's walk.
   [[nodiscard]] double free_laser(std::int32_t i) const {
-    if (i == 1 || !world.laser_cone.by_depth) return 0;
+    if (i == 1 || !world.walks.laser_cone.by_depth) return 0;
     const Edge& e = edge.front();
     return samples.pairs * samples.free_laser.density(path.order()) *
            (e.freed * e.spread / samples.to_instrument / std::abs(e.arriving.z)) *
-           world.laser_cone.free_share * mean_over_laser() * moved_to(i);
+           world.walks.laser_cone.free_share * mean_over_laser() * moved_to(i);
   }
   /// Whether rays that meet at vertex i may have the same group path where they meet at other
   /// points of a grid: where light goes on down or up about as steep as it came.
@@ -91,7 +92,7 @@ struct StrategiesOfPath {
     if (path.line > 0) return true;
     const V& to_telescope = at(path.order()).leaving;
     const V& to_laser = at(path.order() - 1).arriving;
-    return world.uses.rotated_scattered &&
+    return world.walks.uses.rotated_scattered &&
            std::hypot(to_laser.x, to_laser.y) > 3 * std::hypot(to_telescope.x, to_telescope.y);
   }
   /// The same of rotating about the pivot so that rays meet at vertex i.
@@ -104,7 +105,7 @@ struct StrategiesOfPath {
   }
   /// Whether facets send light back, from vertex i to the pivot, that see it turned by a rotation.
   [[nodiscard]] bool meets_facets_with_sides(std::int32_t i) const {
-    if (world.sea.surface.isotropic) return false;
+    if (world.slabs.surface.isotropic) return false;
     for (std::int32_t e = i; e < path.pivot(); ++e)
       if (path.facets(e)) return true;
     return false;
@@ -112,7 +113,7 @@ struct StrategiesOfPath {
   /// The density with which the direction is drawn in which a telescope's walk leaves the pivot,
   /// but for what no rotation changes [1/sr].
   [[nodiscard]] double drawn_at_pivot() const {
-    const double share = world.inverse_conversion.scattered;
+    const double share = world.walks.inverse_conversion.scattered;
     const std::int32_t k = path.order();
     return path.line > 0  ? 1
            : is_on_bed(k) ? phase(k, k - 1)
@@ -146,23 +147,23 @@ struct StrategiesOfPath {
     if (k == path.converted || is_on_bed(k)) return 1;
     const double mean = mean_phase(of_telescope(0), k, -at(k - 1).arriving), p = phase(k, k - 1);
     if (path.line_of(k) > 0) return mean / p;
-    const double share = world.inverse_conversion.scattered;
+    const double share = world.walks.inverse_conversion.scattered;
     return ((1 - share) * mean + share * lobe(k)) / ((1 - share) * p + share * lobe(k));
   }
   [[nodiscard]] double mean_over_laser() const {
     if (path.converted == 1) return 1;
-    if (is_on_bed(1)) return world.sea.bed_angles > 1 ? 0 : 1;  // albedo by angle
+    if (is_on_bed(1)) return world.slabs.bed_angles > 1 ? 0 : 1;  // albedo by angle
     return mean_phase(of_laser, 1, at(1).leaving) / phase(1, 1);
   }
   [[nodiscard]] double mean_phase(std::int32_t instrument, std::int32_t i, const V& leaving) const {
     const auto l = static_cast<std::size_t>(path.line_of(i));
     const auto here =
         l * static_cast<std::size_t>(medium.layers()) + static_cast<std::size_t>(layer(i));
-    V axis = world.cone(instrument).axis;
+    V axis = world.walks.cone(instrument).axis;
     const Edge& from = instrument == of_laser ? edge.front() : edge.back();
     if (from.mirrored) axis.z = -axis.z;  // the surface has sent the walk about this one
-    return world.averaged.value(instrument, one_minus_cos(axis, leaving),
-                                medium.elastic_phase[here]);
+    return world.walks.averaged.value(instrument, one_minus_cos(axis, leaving),
+                                      medium.elastic_phase[here]);
   }
   /// Where rays can meet at vertex i: 1 over what is not drawn of it.
   [[nodiscard]] double drawn_but(std::int32_t i) const {
@@ -201,10 +202,10 @@ struct StrategiesOfPath {
   [[nodiscard]] double ratio() const {
     return of(transport::walk_coefficients(medium), 0, path.converted) / walk_c(path.converted);
   }
-  [[nodiscard]] bool is_on_bed(std::int32_t i) const { return on_bed(world.sea, path.x(i)); }
+  [[nodiscard]] bool is_on_bed(std::int32_t i) const { return on_bed(world.slabs, path.x(i)); }
   /// A table at even steps of sqrt(1 - cos), for the light that comes from the laser.
   [[nodiscard]] double bed_albedo(std::int32_t i) const {
-    const double last = static_cast<double>(world.sea.bed_angles) - 1;
+    const double last = static_cast<double>(world.slabs.bed_angles) - 1;
     const double at = last * std::sqrt(1 + this->at(i - 1).arriving.z);
     const double below = std::floor(at);
     const double* row = &medium.bed_albedo[static_cast<std::size_t>(path.line_of(i)) *
@@ -219,14 +220,14 @@ struct StrategiesOfPath {
     const auto l = static_cast<std::size_t>(path.line_of(i));
     const auto here =
         l * static_cast<std::size_t>(medium.layers()) + static_cast<std::size_t>(layer(i));
-    return world.sea.phases.value<double>(
+    return world.slabs.phases.value<double>(
         x, i == path.converted ? medium.conversion_phase[l] : medium.elastic_phase[here]);
   }
   /// That a telescope's walk converts the detected light back into the laser's at vertex i.
   [[nodiscard]] double inverse_conversion(std::int32_t i) const {
-    return is_on_bed(i)
-               ? 0
-               : world.inverse_conversion.chance(world.sea, path.line, layer(i), path.order() - i);
+    return is_on_bed(i) ? 0
+                        : world.walks.inverse_conversion.chance(world.slabs, path.line, layer(i),
+                                                                path.order() - i);
   }
   /// That it does not so at vertices `from` … k.
   [[nodiscard]] double stays_converted(std::int32_t from) const {
@@ -236,21 +237,21 @@ struct StrategiesOfPath {
   }
   /// That it does at the conversion and finds the path's direction, over the phase function.
   [[nodiscard]] double converts_back() const {
-    const auto& r = world.inverse_conversion;
+    const auto& r = world.walks.inverse_conversion;
     return inverse_conversion(path.converted) *
            ((1 - r.directed) / (4 * pi) + r.directed * lobe(path.converted)) /
            phase(path.converted, path.converted);
   }
   /// Of the direction in which a telescope's walk leaves vertex i.
   [[nodiscard]] double lobe(std::int32_t i) const {
-    return world.sea.phases.value<double>(
-        one_minus_cos(world.inverse_conversion.beam, -at(i - 1).arriving),
-        world.inverse_conversion.lobe);
+    return world.slabs.phases.value<double>(
+        one_minus_cos(world.walks.inverse_conversion.beam, -at(i - 1).arriving),
+        world.walks.inverse_conversion.lobe);
   }
   /// That it finds the path's directions where it scatters the laser's light from vertex `from` on,
   /// over the phase functions.
   [[nodiscard]] double scatters(std::int32_t from) const {
-    const double share = world.inverse_conversion.scattered;
+    const double share = world.walks.inverse_conversion.scattered;
     double chance = 1;
     for (std::int32_t i = from; i <= path.order(); ++i)
       if (path.line_of(i) == 0 && !is_on_bed(i))
@@ -308,7 +309,7 @@ struct StrategiesOfPath {
     inner.spread = samples.between * dot(to - from, to - from);
     if (mirrored) {
       add_water(inner, path.line_of(e), {from, from + (-from.z / way.z) * way, to});
-      common *= optics::refract(world.sea.index[path.line_of(e)], 1.0, way.z).reflectance;
+      common *= optics::refract(world.slabs.index[path.line_of(e)], 1.0, way.z).reflectance;
     } else {
       add_water(inner, path.line_of(e), {from, to});
     }
@@ -329,8 +330,8 @@ struct StrategiesOfPath {
   /// a cone.
   [[nodiscard]] double drawn_solid_angle(const EntryCone<double>& cone, std::int32_t line,
                                          const geometry::Sightline<double>& way) const {
-    const double n = world.sea.index[line];
-    if (!cone.in_air || cone.even_outside)
+    const double n = world.slabs.index[line];
+    if (!cone.begins_outside || cone.even_outside)
       return cone.solid_angle_at(one_minus_cos(-way.arriving, cone.outside));
     return cone.solid_angle_at(one_minus_cos(-way.direction, cone.axis)) * n * n *
            std::abs(way.direction.z / way.arriving.z);
@@ -354,37 +355,38 @@ struct StrategiesOfPath {
     edge.push_back(e);
   }
   void add_first() {
-    const auto& laser = world.laser;
+    const auto& laser = world.instruments.laser;
     if (path.laser_entry)
       return add_by_entry(path.x(1), 0, *path.laser_entry, way_of_laser(world, path),
-                          world.laser_cone, is_on_bed(1));
+                          world.walks.laser_cone, is_on_bed(1));
     const auto way = way_to_laser(world, path);
     const V vertex = fictitious_vertex(laser);
     const double hidden = laser.vertex_distance / -dot(way.arriving, laser.axis);
-    const double solid_angle = drawn_solid_angle(world.laser_cone, 0, way);
+    const double solid_angle = drawn_solid_angle(world.walks.laser_cone, 0, way);
     edge.push_back(instrument_edge(path.x(1), 0, way, vertex - hidden * way.arriving,
                                    path.is_mirrored(0), can_be_met(laser) ? solid_angle : 0));
     edge.back().arriving = -way.direction;
-    draw_by_depth(world.laser_cone, way.direction.z, is_on_bed(1), edge.back());
+    draw_by_depth(world.walks.laser_cone, way.direction.z, is_on_bed(1), edge.back());
     if (!laser.collimated) common *= solid_angle / (2 * pi * laser.one_minus_cos_divergence);
     common *= way.throughput;
   }
   void add_last() {
-    const auto& telescope = world.telescopes[0];
+    const auto& telescope = world.instruments.telescopes[0];
     if (path.telescope_entry) {
       const auto by = way_of_telescope(world, path);
       translation_area = by.translation_area;
       return add_by_entry(path.x(path.order()), path.line, *path.telescope_entry, by,
-                          world.telescope_cones[0], is_on_bed(path.order()));
+                          world.walks.telescope_cones[0], is_on_bed(path.order()));
     }
     const auto way = way_to_lens(world, path);
     const double cosine = -dot(way.arriving, telescope.axis);
-    const double solid_angle = drawn_solid_angle(world.telescope_cones[0], path.line, way);
+    const double solid_angle = drawn_solid_angle(world.walks.telescope_cones[0], path.line, way);
     edge.push_back(instrument_edge(path.x(path.order()), path.line, way,
                                    in_space(telescope, path.lens), path.is_mirrored(path.order()),
                                    solid_angle));
     edge.back().leaving = way.direction;
-    draw_by_depth(world.telescope_cones[0], way.direction.z, is_on_bed(path.order()), edge.back());
+    draw_by_depth(world.walks.telescope_cones[0], way.direction.z, is_on_bed(path.order()),
+                  edge.back());
     common *= way.throughput * telescope.area() * cosine * solid_angle / way.index_squared;
     translation_area = instrument::translation_area(telescope, way.arriving);
   }

@@ -56,7 +56,7 @@ class StrategiesThroughWaves {
         begun_(begun),
         random_(random),
         held_(held) {
-    sea.world.max_vertices = most;
+    sea.world.walks.max_vertices = most;
   }
 
   /// All that can draw a path with vertices at such depths.
@@ -115,7 +115,7 @@ class StrategiesThroughWaves {
       const bool lit = instrument == of_laser;
       if (k == 1 && !lit) continue;  // the vertex is on the telescope's ray
       for (const bool by_slopes : {false, true}) {
-        if (by_slopes && !world_.cone(instrument).enters_by_slopes) continue;
+        if (by_slopes && !world_.walks.cone(instrument).enters_by_slopes) continue;
         Begun walks = begun_;
         auto& birth = lit ? walks.laser : walks.back;
         const Path other = by_slopes ? entering_by_slopes(world_, instrument, birth, path) : path;
@@ -155,12 +155,13 @@ class StrategiesThroughWaves {
     held_.in_part += sees_in_part(expected);
   }
   [[nodiscard]] bool is_seen(const instrument::PlanePoint<double>& lens) const {
-    return open_at(world_.telescopes[0], lens) &&
-           sight(world_.telescopes[0], lens, -begun_.record.outward).on_detector;
+    return open_at(world_.instruments.telescopes[0], lens) &&
+           sight(world_.instruments.telescopes[0], lens, -begun_.record.outward).on_detector;
   }
   /// All but the laser's walk moved aside; a path of no vertices if there is none.
   Path seen_elsewhere(Path path, V& aside) {
-    const auto lens = lens_point(world_.telescopes[0], random_.uniform(), random_.uniform());
+    const auto lens =
+        lens_point(world_.instruments.telescopes[0], random_.uniform(), random_.uniform());
     if (!is_seen(lens)) return {};
     path = through_lens_at(world_, begun_, lens, path, aside);
     path.vertex.back() = path.vertex.back() + aside;
@@ -168,7 +169,7 @@ class StrategiesThroughWaves {
   }
   /// With the only vertex on the laser's ray, as deep as it was on the telescope's.
   Path meeting_first_rays(Path path, V& aside) {
-    const auto& telescope = world_.telescopes[0];
+    const auto& telescope = world_.instruments.telescopes[0];
     const V met = at_depth(begun_.laser, -path.x(1).z);
     aside = met - path.x(1);
     const auto lens =
@@ -181,12 +182,13 @@ class StrategiesThroughWaves {
   }
   /// Whether part of the open lens sees the path's last ray.
   [[nodiscard]] bool sees_in_part(const StrategiesOfPath& path) const {
-    const double whole = instrument::translation_area(world_.telescopes[0], begun_.record.outward);
+    const double whole =
+        instrument::translation_area(world_.instruments.telescopes[0], begun_.record.outward);
     return path.translation_area < 0.99 * whole;
   }
   void free_telescope(std::int32_t i, const Path& path) {
     if (begun_.back.spread.solid_angle == 0 ||
-        !world_.telescope_cones[0].frees(begun_.back.photon.direction))
+        !world_.walks.telescope_cones[0].frees(begun_.back.photon.direction))
       return;
     const double x = random_.between(-0.4, 0.4), y = random_.between(-0.4, 0.4);
     Path moved = path;
@@ -206,7 +208,7 @@ class StrategiesThroughWaves {
   }
   void free_laser(std::int32_t i, const Path& path) {
     if (!path.laser_entry || begun_.laser.spread.solid_angle == 0 ||
-        !world_.laser_cone.frees(begun_.laser.photon.direction))
+        !world_.walks.laser_cone.frees(begun_.laser.photon.direction))
       return;
     const double x = random_.between(-0.4, 0.4), y = random_.between(-0.4, 0.4);
     Path moved = path;
@@ -273,7 +275,7 @@ void expect_strategies_agree(const Lidar& lidar, const medium::Waves& waves, boo
     SCOPED_TRACE(std::string(lidar.what) + (bed ? ", bed" : "") + ", path " + std::to_string(n));
     const bool frees = n % 2 == 0;
     sea.begin(frees);
-    Samples<double> samples = sea.world.uses.rotated_scattered ? rotating : translating;
+    Samples<double> samples = sea.world.walks.uses.rotated_scattered ? rotating : translating;
     if (!frees) samples.free_telescope = samples.free_laser = {};
     const std::int32_t order = 1 + n / 2 % 4, line = n / 8 % 2;
     const auto begun = begin_walks(sea.world, line, n);

@@ -22,7 +22,7 @@ TEST(StrategiesOfPath, BesideATiltedLensInTheWaterAgree) {
   Random random(110);
   int met = 0, behind = 0;
   const Sea sea(laser_at({0.5, 0, -3}, {0, 0, -1}), telescope_at({0, 0, -4}, {0.6, 0, -0.8}));
-  const auto& telescope = sea.world.telescopes[0];
+  const auto& telescope = sea.world.instruments.telescopes[0];
   const auto on_lens = [&] {
     return instrument::ring_point(0.05, 0.15, random.uniform(), random.uniform());
   };
@@ -58,7 +58,7 @@ TEST(Rotations, AreForNoTiltedLaserInWaterThatConverts) {
                    test::depth_gates(16, 2) + test::simulation(1000, 1, "", "bidirectional"));
     if (direction == "tilted") scene.source.direction = {0.1, 0, -1};
     const Model model = make_model(scene);
-    return make_world<double>(model).uses.rotated;
+    return make_world<double>(model).walks.uses.rotated;
   };
   const std::string elastic = test::channel("elastic");
   EXPECT_TRUE(rotates("upright", elastic));

@@ -27,11 +27,11 @@ World<double> world_with_tools(const std::string& tools) {
 TEST(Importance, HoldsFromItsDepthOn) {
   const auto world =
       world_with_tools("importance = [ { depth_m = 2, value = 3 }, { depth_m = 5, value = 0.5 } ]");
-  EXPECT_EQ(importance_at(world.tools, 0.0), 1);
-  EXPECT_EQ(importance_at(world.tools, 1.99), 1);
-  EXPECT_EQ(importance_at(world.tools, 2.0), 3);
-  EXPECT_EQ(importance_at(world.tools, 5.0), 0.5);
-  EXPECT_EQ(importance_at(world.tools, 500.0), 0.5);
+  EXPECT_EQ(importance_at(world.forward.tools, 0.0), 1);
+  EXPECT_EQ(importance_at(world.forward.tools, 1.99), 1);
+  EXPECT_EQ(importance_at(world.forward.tools, 2.0), 3);
+  EXPECT_EQ(importance_at(world.forward.tools, 5.0), 0.5);
+  EXPECT_EQ(importance_at(world.forward.tools, 500.0), 0.5);
 }
 
 // As many photons as the ratio of importances, in the mean; weight is kept with what is booked, to
@@ -44,11 +44,11 @@ TEST(Importance, SplitsAndKillsInItsRatio) {
     double photons = 0;
     constexpr int trials = 20000;
     for (int i = 0; i < trials; ++i) {
-      ForwardTracks<double> t(world);
+      ForwardTracks<double> t(world, {});
       t.place = {7, static_cast<std::uint64_t>(i), 4};
       t.photon.weight = 0.8;
       t.photon.position = {0, 0, -after};
-      t.importance_before = importance_at(world.tools, before);
+      t.importance_before = importance_at(world.forward.tools, before);
       tally::Ledger ledger;
       const bool on = split(world, t, true, ledger);
       const int all = on ? 1 + t.copies : 0;

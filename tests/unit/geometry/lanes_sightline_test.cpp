@@ -141,7 +141,7 @@ TEST(LanesOf, ConnectRay) {
     }
     const auto packed = pack(photon);
     const auto ray4 =
-        connect_ray(sea.view(), telescope4, {region.in_air, Index4(region.layer)}, packed,
+        connect_ray(sea.view(), telescope4, {region.outside, Index4(region.layer)}, packed,
                     packed.line, lens_point(telescope4, pack(u), pack(v)), route_of(mirrored),
                     may_see(sea.view(), telescope4, packed.position, packed.line));
     for (std::size_t i = 0; i < lanes; ++i) {

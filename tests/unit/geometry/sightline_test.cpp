@@ -73,7 +73,7 @@ TEST(WayThroughSurface, IsTheWayOfALightRay) {
     test::enter_water(sea.view(), {true, 0}, down);
     ASSERT_NEAR(way.throughput, down.weight, 1e-9);
 
-    way.to.in_air = true;
+    way.to.outside = true;
     expect_depths(depths_along(sea, way, line, from, way.length_water), sea, line,
                   {from, {surface.x, surface.y, 0}});
   }

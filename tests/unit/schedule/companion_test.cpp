@@ -69,11 +69,12 @@ struct Engine<Lanes> {
 };
 
 template <class T>
-void follow_light(const estimator::World<T>& world, std::uint64_t first, tally::BatchTally& tally) {
-  const std::uint64_t photons = world.batch_photons;
+void follow_light(scene::Estimator estimator, const estimator::World<T>& world, std::uint64_t first,
+                  tally::BatchTally& tally) {
+  const std::uint64_t photons = world.random.batch_photons;
   using Ledger = typename Engine<T>::Ledger;
   estimator::AnalogPassed<T> none;
-  switch (world.estimator) {
+  switch (estimator) {
     case scene::Estimator::analog:
       estimator::Analog<T, Ledger>(world, tally, none).run(first, photons, [](const auto&...) {});
       break;
@@ -105,12 +106,12 @@ void expect_the_ledgers_sums(const Case& c) {
   SCOPED_TRACE(c.estimator + ", " + c.surface + (lanes_of<T> == 1 ? ", scalar" : ", lanes"));
   const auto model = estimator::make_model(scene_of(c));
   auto world = estimator::make_world<T>(model);
-  world.receivers.clear();  // the ledger has the laser's light alone
-  Counter<T> counter(world.sea);
+  world.walks.receivers.clear();  // the ledger has the laser's light alone
+  Counter<T> counter(world.slabs);
   accompany(world, counter);
   tally::BatchTally tally(model.shape, model.gates);
-  for (std::uint64_t first = 0; first < 4000; first += world.batch_photons)
-    follow_light(world, first, tally);
+  for (std::uint64_t first = 0; first < 4000; first += world.random.batch_photons)
+    follow_light(model.scene.simulation.estimator, world, first, tally);
   const tally::Ledger& ledger = tally.ledger;
   EXPECT_EQ(ledger.cut_by_time, 0);
   EXPECT_GT(counter.crossings, 50);

@@ -33,13 +33,13 @@ EventLog log_lanes(const estimator::Model& model, std::uint64_t photons) {
       log.emplace(std::pair(t.place.photon[i], t.place.event[i]), event);
     });
   };
-  for (std::uint64_t batch = 0; batch < photons; batch += world.batch_photons) {
+  for (std::uint64_t batch = 0; batch < photons; batch += world.random.batch_photons) {
     estimator::AnalogPassed<Lanes> none;
-    if (world.estimator == scene::Estimator::analog)
+    if (model.scene.simulation.estimator == scene::Estimator::analog)
       estimator::Analog<Lanes, lanes::LaneLedger<Lanes>>(world, tally, none)
-          .run(batch, world.batch_photons, witness);
+          .run(batch, world.random.batch_photons, witness);
     else
-      Pool<Lanes>(world).run(batch, world.batch_photons, tally, witness);
+      Pool<Lanes>(world).run(batch, world.random.batch_photons, tally, witness);
   }
   return log;
 }

@@ -164,14 +164,14 @@ EventLog log_scalar(const estimator::Model& model, std::uint64_t photons) {
     }
     log.emplace(std::pair(t.place.photon, t.place.event), event);
   };
-  for (std::uint64_t batch = 0; batch < photons; batch += world.batch_photons) {
-    if (world.estimator == scene::Estimator::analog) {
+  for (std::uint64_t batch = 0; batch < photons; batch += world.random.batch_photons) {
+    if (model.scene.simulation.estimator == scene::Estimator::analog) {
       estimator::AnalogPassed<float> none_analog;
       estimator::Analog<float, tally::Ledger>(world, tally, none_analog)
-          .run(batch, world.batch_photons, witness);
+          .run(batch, world.random.batch_photons, witness);
       continue;
     }
-    estimator::follow_in(world, tally, none, witness, batch, world.batch_photons);
+    estimator::follow_in(world, tally, none, witness, batch, world.random.batch_photons);
   }
   return log;
 }

@@ -49,7 +49,7 @@ void expect_same_mean(const scene::Telescope& scene, const V& place, bool mirror
   constexpr int rays = 4000;
   const auto sea = make_sea(60);
   const auto telescope = instrument::make_telescope<double>(scene);
-  const double left_out = telescope.submerged ? 0 : telescope.distance;  // of paths
+  const double left_out = telescope.inside ? 0 : telescope.distance;  // of paths
   Random random(seed);
   test::ZFamily family(0.01);
   for (int n = 0; n < 100; ++n) {

@@ -167,10 +167,10 @@ TEST(LanesOf, WaysByWaves) {
     const auto u1 = uniforms4(random), u2 = uniforms4(random), u3 = uniforms4(random);
     const auto lens = lens_point(scalar, random.uniform(), random.uniform());
     const auto packed = connect_by_waves<Lanes4>(
-        slabs, wide, {region.in_air, Index4(region.layer)}, pack(photons), Index4(0),
+        slabs, wide, {region.outside, Index4(region.layer)}, pack(photons), Index4(0),
         {Lanes4(lens.x), Lanes4(lens.y)}, {pack(u1), pack(u2), pack(u3)}, Mask4(true));
     const auto from_surface =
-        connect_from_surface<Lanes4>(slabs, wide, {region.in_air, Index4(region.layer)},
+        connect_from_surface<Lanes4>(slabs, wide, {region.outside, Index4(region.layer)},
                                      pack(photons), Mask4(false), {Lanes4(lens.x), Lanes4(lens.y)});
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto one =

@@ -1,0 +1,102 @@
+// The instruments of a world, made of a model.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "estimator/instruments.hpp"
+#include "estimator/model.hpp"
+#include "estimator/nested_views.hpp"
+#include "estimator/origin.hpp"
+
+namespace photic::estimator {
+
+/// The distances from an instrument of a model ahead to the medium's surface.
+template <class Instrument>
+geometry::Ahead ahead_in(const medium::Medium& medium, const Instrument& instrument) {
+  const auto axis = normalised(instrument.direction);
+  return medium.kind == medium::MediumKind::air
+             ? geometry::ahead_of_air(instrument.position_m, axis, medium.air_m)
+             : geometry::ahead_of(instrument.position_m, axis);
+}
+
+/// The number of the layer that an instrument of a model stands in.
+template <class Instrument>
+std::size_t layer_of(const medium::Medium& medium, const Instrument& instrument) {
+  return medium.layer_at(std::max(0.0, -instrument.position_m.z));
+}
+
+/// The region of an instrument, of_laser or a telescope behind it.
+template <class T, class Instrument>
+geometry::Region<T> region_in(const Model& model, const geometry::Slabs& slabs,
+                              const Instrument& instrument, std::size_t number) {
+  const bool outside = !geometry::stands_in_water(instrument.position_m);
+  geometry::AirColumn column;
+  if (outside && !model.air_tables.empty())
+    column =
+        model.air_tables[number].view(model.other_airs.empty() ? -1 : slabs.excess_air(number));
+  return {outside, Index<T>(layer_of(model.medium, instrument)), column};
+}
+
+/// The greatest rounding error of paths in the air between an instrument and the sea [m], by which
+/// they count as longer: light that the sea mirrors comes hardly later than light that turns at the
+/// surface, and must never come before it. It is 0.5 mm from 3 km, 2 cm from space in float:
+/// length, delay, and half the sum of both ways are each rounded by half the last digit.
+template <class T, class Instrument>
+double max_rounded_off(const Instrument& instrument, const medium::Medium& air) {
+  const double epsilon = std::numeric_limits<Element<T>>::epsilon();
+  return 1.5 * epsilon * std::min(-instrument.position_m.z, air.air_m);
+}
+
+/// Adds a model's telescopes, with their regions and the paths that are left out.
+template <class T>
+void add_telescopes(const Model& model, const geometry::Slabs& slabs, const Vec3<double>& origin,
+                    const geometry::Ahead& of_laser, Instruments<T>& out) {
+  const auto& [scene, medium] = std::tie(model.scene, model.medium);
+  for (const auto& t : scene.telescope) {
+    const std::size_t number = out.telescopes.size();
+    out.telescopes.push_back(
+        instrument::make_telescope<T>(from_origin(t, origin), ahead_in(medium, t)));
+    double left_out =
+        path_to_origin(of_laser, from_origin(t, origin), out.telescopes.back().above_air);
+    if (medium.kind == medium::MediumKind::air)
+      left_out += max_rounded_off<T>(scene.source, medium) + max_rounded_off<T>(t, medium);
+    out.path_to_origin.push_back(left_out - model.apparent_path.both_paths(number));
+    out.telescope_region.push_back(region_in<T>(model, slabs, t, number + 1));
+  }
+}
+
+/// Adds the groups of a scene's telescopes.
+template <class T>
+void add_groups(const scene::Scene& scene, Instruments<T>& out) {
+  for (const NestedViews& views : nested_views(scene)) {
+    const std::size_t widest = views.back();
+    ViewGroup<T> group{widest,
+                       out.telescopes[widest],
+                       out.telescope_region[widest],
+                       out.path_to_origin[widest],
+                       {}};
+    for (std::size_t i = views.size() - 1; i-- > 0;)
+      group.narrower.push_back({Index<T>(static_cast<std::int32_t>(views[i])),
+                                out.telescopes[views[i]].detector_radius});
+    out.groups.push_back(std::move(group));
+  }
+}
+
+/// Deadlines are the caller's: they follow from the walks' cones, too.
+template <class T>
+Instruments<T> make_instruments(const Model& model, const geometry::Slabs& slabs) {
+  Instruments<T> out;
+  const scene::Source& source = model.scene.source;
+  const Vec3<double> origin = origin_of(source, model.medium.kind);
+  const geometry::Ahead of_laser = ahead_in(model.medium, source);
+  out.laser = instrument::make_laser<T>(from_origin(source, origin), of_laser);
+  out.laser_region = region_in<T>(model, slabs, source, 0);
+  add_telescopes(model, slabs, origin, of_laser, out);
+  add_groups(model.scene, out);
+  return out;
+}
+
+}  // namespace photic::estimator
