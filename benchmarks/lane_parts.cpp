@@ -26,7 +26,7 @@ struct Setting {
   }();
   World<Lanes> world = make_world<Lanes>(model);
   const geometry::Slabs& sea = world.slabs;
-  Draws<Lanes> draws = draws_of_laser(world, 0);
+  Draws<Lanes> draws = draws_of_laser<Lanes>(world.random, 0);
   std::array<Index<Lanes>, packs> n;
   std::array<std::array<Lanes, 4>, packs> u;
   std::array<transport::Photon<Lanes>, packs> photon;

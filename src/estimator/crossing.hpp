@@ -29,7 +29,7 @@ struct NoObserver {
   void about_to_meet(const auto&, std::uint32_t) {}
   void met(const auto&, const auto&) {}
   void crossed(std::int32_t, const auto&, const auto&) {}
-  void passes(const auto&, const auto&, const auto&) {}
+  void passes(const auto&, const auto&, const auto&, const auto&) {}
 };
 
 /// Has light meet facets and whitecaps of a rough surface, until it goes down in the water or has
@@ -44,8 +44,8 @@ Mask<T> meet_facets(const surface::RoughSurface<T>& surface, transport::Photon<T
     at.meets = at.meets & !emitted;
     const Mask<T> meets = at.meets;
     const auto met = rule.meet(surface, photon, at, facet);
-    observer.met(meets, met.meeting);
     rule.take(photon, meets, met, observer);
+    observer.met(meets, met.meeting);
     in_water = in_water | met.in_water;
   }
   return in_water;
@@ -59,13 +59,17 @@ void cross_by_shares(const geometry::Slabs& sea, Track<T>& t, const Mask<T>& sta
                      Observer& observer) {
   transport::Photon<T>& photon = t.photon;
   transport::Photon<T> down = photon;
-  if (!from_outside) observer.crossed(medium::back_into_water, photon.direction.z, stand);
+  const T rise = photon.direction.z;
   const auto leaving = from_outside ? transport::refract_down(sea, down)
                                     : transport::reflect_down(sea, down, lossless);
   book(ledger.escaped, stand, leaving.into_air);
   book(ledger.oil, stand, leaving.into_film);
-  if (!from_outside)
-    observer.passes(stand & (leaving.into_air > T(0)), leaving.direction, leaving.into_air);
+  if (!from_outside) {
+    observer.passes(stand & (leaving.into_air > T(0)), leaving.direction, leaving.into_air, [&] {
+      return surface::FilmCrossing<T>{photon.line, Index<T>(medium::through_film), rise};
+    });
+    observer.crossed(medium::back_into_water, rise, stand);
+  }
   photon.direction = select(stand, down.direction, photon.direction);
   photon.weight = select(stand, down.weight, photon.weight);
   photon.analog_weight = select(stand, down.analog_weight, photon.analog_weight);
@@ -103,28 +107,34 @@ struct FacetsOfHistories {
     book(ledger.roulette, meets, T(0) - met.gained);
     book(ledger.escaped, meets, met.escaped);
     book(ledger.oil, meets, met.into_film);
-    if (splits) observer.passes(meets & (met.escaped > T(0)), met.risen, met.escaped);
+    if (splits)
+      observer.passes(meets & (met.escaped > T(0)), met.risen, met.escaped,
+                      [&] { return transport::hit_of_risen(world.slabs.waves, met); });
     if (!any(met.left)) return;
-    observer.passes(met.left, photon.direction, photon.weight);
+    observer.passes(met.left, photon.direction, photon.weight, [&] { return met.meeting; });
     book(ledger.escaped, met.left, photon.weight);
   }
-
-  template <class Observer>
-  PHOTIC_APART void cross_facets(Track<T>& t, const Mask<T>& stand, bool from_outside,
-                                 Observer& observer) {
-    const auto surface = surface::rough_surface<T>(world.slabs, t.photon.line);
-    At at{stand, Mask<T>(from_outside)};
-    const Mask<T> in_water = meet_facets(surface, t.photon, at, *this, observer);
-    book(ledger.lost, at.meets, t.photon.weight);
-    t.on = t.on & ((!stand) | in_water);
-  }
 };
+/// Has histories' light cross a rough surface, by a rule.
+template <class Rule, class T, class Observer>
+PHOTIC_APART void cross_facets(Rule& rule, Track<T>& t, const Mask<T>& stand, bool from_outside,
+                               Observer& observer) {
+  const auto surface = surface::rough_surface<T>(rule.world.slabs, t.photon.line);
+  typename Rule::At at{stand, Mask<T>(from_outside)};
+  const Mask<T> in_water = meet_facets(surface, t.photon, at, rule, observer);
+  book(rule.ledger.lost, at.meets, t.photon.weight);
+  t.on = t.on & ((!stand) | in_water);
+}
 
 /// Histories of the forward estimator.
 template <class T, class Ledger>
 struct SplitsWeight : FacetsOfHistories<T, Ledger, true> {
   Mask<T> lossless{false};
 
+  template <class Observer>
+  void cross_facets(Track<T>& t, const Mask<T>& stand, bool from_outside, Observer& observer) {
+    estimator::cross_facets(*this, t, stand, from_outside, observer);
+  }
   template <class Observer>
   void cross_flat(Track<T>& t, const Mask<T>& stand, bool from_outside, Observer& observer) const {
     cross_by_shares(this->world.slabs, t, stand, from_outside, lossless, this->ledger, observer);

@@ -12,12 +12,14 @@
 
 namespace photic::estimator {
 
+/// The air has neither forced flights nor importances, which are of depths in the water.
 template <class T>
-Tools<T> make_tools(const scene::Tools& s) {
+Tools<T> make_tools(const scene::Tools& s, medium::MediumKind kind) {
   Tools<T> tools;
-  tools.forced_flights = Index<T>(static_cast<std::int32_t>(s.forced_collisions));
   tools.scores_on_the_way = s.local_forced_collisions == scene::LocalForcedCollisions::all;
   tools.at_threshold = s.at_threshold;
+  if (kind == medium::MediumKind::air) return tools;
+  tools.forced_flights = Index<T>(static_cast<std::int32_t>(s.forced_collisions));
   for (const auto& [depth_m, value] : s.importance) {
     tools.importance_depth.push_back(T(depth_m));
     tools.importance.push_back(T(value));
@@ -26,10 +28,11 @@ Tools<T> make_tools(const scene::Tools& s) {
 }
 
 /// Adds the views of groups, for light that is converted, and the cones in which points are chosen.
+/// In the air none is.
 template <class T>
 void add_views(const Model& model, const Instruments<T>& instruments, ForwardSettings<T>& out) {
   const auto& [scene, medium] = std::tie(model.scene, model.medium);
-  const bool converts = medium.line.size() > 1;
+  const bool converts = medium.line.size() > 1 && medium.kind == medium::MediumKind::water;
   if (!converts && !out.tools.scores_on_the_way) return;
   const Vec3<double> origin = origin_of(scene.source, medium.kind);
   for (const ViewGroup<T>& group : instruments.groups) {
@@ -53,7 +56,7 @@ ForwardSettings<T> make_forward_settings(const Model& model, const geometry::Sla
   out.weight_threshold =
       T(asked.estimator == scene::Estimator::bidirectional ? min_weight
                                                            : asked.tools.weight_threshold);
-  out.tools = make_tools<T>(asked.tools);
+  out.tools = make_tools<T>(asked.tools, model.medium.kind);
   if (!out.tools.scores_on_the_way)
     out.scored_points = static_cast<std::int32_t>(scene::scored_points_in(scene));
   add_views(model, instruments, out);

@@ -17,7 +17,7 @@ enum class Scored : std::int8_t {
   all,
   film,       ///< a film's and the surface's own: walks score all else
   none,       ///< none: they lead to other histories
-  from_water  ///< in the air, light that has been in the water
+  from_water  ///< in the air, light that has been in the water, or is a film's
 };
 
 /// The set that light which passes the surface goes on in, in the other medium.

@@ -43,13 +43,15 @@ inline constexpr RandomBlocks line_blocks{std::uint32_t{1} << 21, max_facets};
 /// One for each time that light comes to a film of oil.
 inline constexpr RandomBlocks film_blocks{std::uint32_t{1} << 25, max_facets};
 /// One for each time that light passes the surface: whether it is followed. A facet may have it
-/// pass twice.
-inline constexpr RandomBlocks passing_blocks{std::uint32_t{1} << 23, 2 * max_facets};
+/// pass twice, and once more as light that its film emits; before it, a forced flight.
+inline constexpr RandomBlocks passing_blocks{std::uint32_t{1} << 23, 3 * max_facets + 1};
+inline constexpr std::uint32_t forced_passing = 3 * max_facets;
 /// The numbers of copies, by which they draw: of photons that are split, and from passing_blocks on
 /// of those that pass the surface.
 inline constexpr RandomBlocks copy_blocks{std::uint32_t{1} << 30, std::uint32_t{1} << 24};
-/// Steps of analog light in a film: to a face, and there.
-inline constexpr RandomBlocks film_step_blocks{std::uint32_t{1} << 24, 2 * max_film_steps};
+/// Steps of analog light in the film of each facet: to a face, and there.
+inline constexpr RandomBlocks film_step_blocks{std::uint32_t{1} << 24,
+                                               2 * max_film_steps* max_facets};
 
 // Blocks of walks.
 

@@ -27,6 +27,10 @@ struct ViewCone {
 
 inline constexpr int view_parts = 3;
 
+/// Clearer media count as this [1/m], so that squares of distances in a view stay in the range of
+/// floats.
+inline constexpr double min_view_rate = 1e-6;
+
 /// A ball in the water.
 template <class T>
 struct Ball {
@@ -45,7 +49,7 @@ struct View {
 template <class T>
 View<T> make_view(const instrument::Telescope<double>& telescope, const medium::Medium& medium,
                   std::size_t layer) {
-  double c = 0;
+  double c = min_view_rate;
   for (std::size_t l = medium.line.size() > 1 ? 1 : 0; l < medium.line.size(); ++l) {
     c = std::max(c, medium.c[l * static_cast<std::size_t>(medium.layers()) + layer]);
   }

@@ -57,16 +57,11 @@ void add_film(const scene::Scene& scene, const optics::Oil& oil, Medium& medium)
 
 namespace {
 
-/// A film as light of the medium's lines meets it.
-struct LinesOfFilm {
-  bool exists = false;
-  std::vector<double> index, optical_thickness;  ///< [line]
-  double yield = 0;
-};
-LinesOfFilm lines_of_film(const scene::Scene& scene, const optics::Library& library,
-                          const Medium& medium) {
+/// The film of a scene, with its own yield.
+OtherFilm other_film(const scene::Scene& scene, const optics::Library& library,
+                     const Medium& medium) {
   const auto oil = oil_of(scene, library);
-  LinesOfFilm film;
+  OtherFilm film;
   if (!oil) {
     film.index = film.optical_thickness = std::vector(medium.line.size(), 0.0);
     return film;
@@ -81,10 +76,10 @@ LinesOfFilm lines_of_film(const scene::Scene& scene, const optics::Library& libr
   return film;
 }
 
-/// The share of light of a line, of index n in the water, that goes on by a way.
-double going_on(const LinesOfFilm& film, std::size_t l, double n, std::int32_t way, double cosine) {
-  const bool from_air = way == back_into_air;
-  const double n1 = from_air ? 1 : n, n2 = from_air ? n : 1;
+/// The share of light of a line, of index n in the medium, that goes on by a way.
+double going_on(const OtherFilm& film, std::size_t l, double n, std::int32_t way, double cosine) {
+  const bool from_outside = way == back_into_air;
+  const double n1 = from_outside ? 1 : n, n2 = from_outside ? n : 1;
   const auto [other, bare] = optics::refract(n1, n2, cosine);
   if (!film.exists) return way == through_film ? 1 - bare : bare;
   const auto shares = optics::film_shares(
@@ -95,8 +90,7 @@ double going_on(const LinesOfFilm& film, std::size_t l, double n, std::int32_t w
 /// Appends how much less goes on in one film than in another, as an optical depth, times a scale:
 /// [way][line][angle]. Angles at which no light goes on have the value of the nearest angle where
 /// some does.
-void add_crossings(const LinesOfFilm& from, const LinesOfFilm& to, double scale,
-                   const Medium& medium, std::vector<double>& out) {
+void add_crossings(const FilmChange& change, const Medium& medium, std::vector<double>& out) {
   constexpr double least = 1e-300;
   for (std::int32_t way = 0; way < ways_at_film; ++way)
     for (std::size_t l = 0; l < medium.line.size(); ++l) {
@@ -104,26 +98,25 @@ void add_crossings(const LinesOfFilm& from, const LinesOfFilm& to, double scale,
       double last = 0;
       for (std::int32_t k = 0; k <= film_angle_steps; ++k) {
         const double s = k / static_cast<double>(film_angle_steps), cosine = 1 - s * s;
-        const double there = going_on(to, l, n, way, cosine);
-        const double here = going_on(from, l, n, way, cosine);
-        if (here > 0) last = scale * (std::log(here) - std::log(std::max(there, least)));
+        const double there = going_on(change.to, l, n, way, cosine);
+        const double here = going_on(change.from, l, n, way, cosine);
+        if (here > 0) last = change.scale * (std::log(here) - std::log(std::max(there, least)));
         out.push_back(last);
       }
     }
 }
 
 /// Two films and what their difference counts, as EnvironmentTables has them.
-void add_emissions(const LinesOfFilm& from, const LinesOfFilm& to, double scale, double yield,
-                   std::vector<double>& out) {
-  for (const LinesOfFilm* film : {&from, &to}) {
+void add_emissions(const FilmChange& change, std::vector<double>& out) {
+  for (const OtherFilm* film : {&change.from, &change.to}) {
     out.insert(out.end(), film->optical_thickness.begin(), film->optical_thickness.end());
-    out.push_back(film->exists ? film->yield / yield : 0.0);
+    out.push_back(film->exists ? film->yield : 0.0);
   }
-  out.push_back(scale);
+  out.push_back(change.scale);
 }
 
-void check_other_film(const std::string& who, bool there, const LinesOfFilm& here,
-                      const LinesOfFilm& other) {
+void check_other_film(const std::string& who, bool there, const OtherFilm& here,
+                      const OtherFilm& other) {
   const auto refuse = [&](const char* reason, const char* suggestion) {
     throw InputError({{"", 0, 0, fmt::format("{}: {}", who, reason), suggestion}});
   };
@@ -148,26 +141,45 @@ void add_films_of_environments(const scene::Scene& scene, const optics::Library&
     throw InputError(
         {{"", 0, 0, "over one-dimensional waves all environments have the film of the scene",
           "write a surface with waves in both directions, or leave 'oil' as it is"}});
-  const auto of = [&](const scene::Environment& e) {
-    return lines_of_film(scene::scene_in(scene, e), library, medium);
-  };
-  const LinesOfFilm here = lines_of_film(scene, library, medium);
+  const OtherFilm here = other_film(scene, library, medium);
   const double yield = here.yield > 0 ? here.yield : 1;
-  auto& tables = medium.environments;
-  const auto add = [&](const LinesOfFilm& from, const LinesOfFilm& to, double scale) {
-    add_crossings(from, to, scale, medium, tables.film);
-    add_emissions(from, to, scale, yield, tables.film_emission);
+  const auto of = [&](const scene::Environment& e) {
+    return other_film(scene::scene_in(scene, e), library, medium);
+  };
+  const auto add = [&](OtherFilm from, OtherFilm to, double scale) {
+    from.yield /= yield, to.yield /= yield;
+    medium.film_changes.push_back({std::move(from), std::move(to), scale});
   };
   for (const auto& e : scene.environment) {
-    const LinesOfFilm there = of(e);
+    OtherFilm there = of(e);
     check_other_film(fmt::format("environment \"{}\"", e.name), there.exists, here, there);
-    add(here, there, 1);
+    add(here, std::move(there), 1);
   }
   for (const auto& s : scene.sensitivity) {
-    const LinesOfFilm above = of(s.above);
+    OtherFilm above = of(s.above);
     check_other_film(fmt::format("sensitivity \"{}\"", s.path), above.exists, here, above);
-    add(of(s.below), above, s.value / (2 * s.step));
+    add(of(s.below), std::move(above), s.value / (2 * s.step));
   }
+  fill_film_tables(medium);
+}
+
+void fill_film_tables(Medium& medium) {
+  for (const FilmChange& change : medium.film_changes) {
+    add_crossings(change, medium, medium.environments.film);
+    add_emissions(change, medium.environments.film_emission);
+  }
+}
+
+void add_film_from_air(const Medium& sea, Medium& air) {
+  const auto against_water = [&](std::vector<double>& index) {
+    for (std::size_t l = 0; l < index.size(); ++l) index[l] /= sea.line[l].refractive_index;
+  };
+  air.film = sea.film;
+  against_water(air.film.index);
+  air.film_changes = sea.film_changes;
+  for (FilmChange& change : air.film_changes)
+    against_water(change.from.index), against_water(change.to.index);
+  fill_film_tables(air);
 }
 
 namespace {

@@ -39,4 +39,11 @@ FilmBothWays film_both_ways(const scene::Scene& scene, const Medium& medium, std
 void add_films_of_environments(const scene::Scene& scene, const optics::Library& library,
                                Medium& medium);
 
+/// Fills in the tables of a medium's film_changes.
+void fill_film_tables(Medium& medium);
+
+/// Gives the air the film of the sea below it: its index is that against the water, which lies
+/// outside of the air.
+void add_film_from_air(const Medium& sea, Medium& air);
+
 }  // namespace photic::medium

@@ -292,6 +292,18 @@ struct Film {
                                                            ///< spectral bins, [line]
 };
 
+/// The film of an environment, as light of the medium's lines meets it.
+struct OtherFilm {
+  bool exists = false;
+  std::vector<double> index, optical_thickness;  ///< as in FilmView, [line]
+  double yield = 0;                              ///< over the medium's
+};
+/// Two of them, whose difference counts so often.
+struct FilmChange {
+  OtherFilm from, to;
+  double scale = 1;
+};
+
 /// Owns what a MediumView points to.
 class Medium {
  public:
@@ -305,6 +317,7 @@ class Medium {
   std::int32_t beam_lobe = 0;  ///< table of a narrow lobe, for walks that look for the laser's beam
   Waves waves;
   Film film;
+  std::vector<FilmChange> film_changes;  ///< of each environment; none: all have this film
   MediumKind kind = MediumKind::water;
   double air_m = 0;                     ///< its height then, below a vacuum
   double scattering_to_instrument = 0;  ///< optical depth of it from there to the sea, if it is

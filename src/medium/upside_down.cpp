@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "medium/film.hpp"
+
 namespace photic::medium {
 namespace {
 
@@ -64,6 +66,7 @@ Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Me
     medium.conversion_phase.push_back(0);
   }
   add_surface(sea, medium);
+  add_film_from_air(sea, medium);
   medium.scattering_to_instrument = integral(air, air.b, 0, lowest_m);
   if (!others.empty()) add_other_airs(air, others, sea, medium);
   medium.finish();

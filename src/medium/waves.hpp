@@ -25,7 +25,7 @@ inline constexpr std::int32_t ways_at_film = 3;
 /// A film of oil on all of the sea: of a surface that absorbs light.
 struct FilmView {
   std::int32_t band = -1;        ///< that it emits in; none if no channel counts its light
-  ShortTable index;              ///< against air, [line]
+  ShortTable index;              ///< against what lies outside, [line]
   ShortTable optical_thickness;  ///< straight through it, [line]
   ShortTable emission;  ///< photons in the line per photon of the laser's that it absorbs, over the
                         ///< share of spectral_bins that may emit them, [line]

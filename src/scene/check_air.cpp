@@ -24,13 +24,6 @@ void check_what_is_below(const Scene& scene, Findings& findings) {
   check("source.position_m", scene.source.position_m.z);
   for (std::size_t i = 0; i < scene.telescope.size(); ++i)
     check(below(below("telescope", i), "position_m"), scene.telescope[i].position_m.z);
-  if (scene.oil && findings.good({"oil"}))
-    findings.add("oil", "a film of oil cannot be combined with air yet",
-                 "leave [oil] or [atmosphere] out");
-  if (scene.simulation.tools.any() && findings.good({"simulation.tools"}))
-    findings.add("simulation.tools",
-                 "the forward estimator's tools cannot be combined with air yet",
-                 "leave [simulation.tools] or [atmosphere] out");
 }
 
 void check_heights(const std::vector<AirLayer>& layers, Findings& findings) {

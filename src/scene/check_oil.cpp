@@ -26,10 +26,6 @@ void check_oil(const Scene& scene, Findings& findings) {
     findings.remark("oil.thickness_um",
                     "oil of more than 1 mm is not a film: scattering in it, and the sideways shift "
                     "of light, are left out");
-  if (scene.sea.surface.is_rough() && scene.simulation.estimator == Estimator::analog &&
-      findings.good({"simulation.estimator"}))
-    findings.add("simulation.estimator", "the analog estimator cannot treat a film of oil on waves",
-                 "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
   if (scene.oil->yield.value_or(0) > max_analog_yield &&
       scene.simulation.estimator == Estimator::analog && findings.good({"simulation.estimator"}))
     findings.add("simulation.estimator",

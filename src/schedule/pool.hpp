@@ -208,16 +208,16 @@ class Pool {
       for (std::size_t i = 0; i < born * width; ++i)
         ratios_.of(newborn_.front().ratios.first + i).begin(world_.slabs.environments);
     }
+    auto steps = steps_of<Events>(tally, [&](std::uint32_t block) {
+      all([&](auto& t) { t.numbers(block) = draws_->together(number_of(t), 1, block); });
+    });
     all([&](auto& t) {
       const std::int32_t n = number_of(t);
       estimator::birth<Events>(world_, *draws_, n,
                                first_lanes<T>(count_ - static_cast<std::uint64_t>(n)), t,
-                               estimates_, tally, ledger_);
+                               estimates_, tally, ledger_, steps.leave);
     });
     next_ += born * width;
-    auto steps = steps_of<Events>(tally, [&](std::uint32_t block) {
-      all([&](auto& t) { t.numbers(block) = draws_->together(number_of(t), 1, block); });
-    });
     fly<Events>(steps, all);
     all([&](auto& t) { wait(t); });
   }

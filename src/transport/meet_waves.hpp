@@ -162,4 +162,19 @@ AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& pho
   return met;
 }
 
+/// The meeting of the light that is split off and leaves, where the rest goes on as `met` states.
+template <class T>
+surface::FacetHit<T> hit_of_risen(const surface::WavesView& waves, const AfterFacet<T>& met) {
+  using std::abs;
+  surface::FacetHit<T> hit = met.meeting;
+  hit.between = {};
+  // Light from outside that the film lets pass goes down: what leaves is reflected by it.
+  const Mask<T> from_outside = hit.film.way == Index<T>(medium::through_film);
+  const T along = abs(dot(met.risen, surface::facet_of(waves, hit.slope).normal));
+  hit.film.cosine = select(from_outside, along, hit.film.cosine);
+  hit.film.way =
+      select(from_outside, Index<T>(medium::back_into_air), Index<T>(medium::through_film));
+  return hit;
+}
+
 }  // namespace photic::transport

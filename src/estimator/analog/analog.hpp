@@ -182,7 +182,7 @@ struct AnalogSteps {
       if (facet == 0) p.touched = select(fresh, of_surface, p.touched);
     }
     void came_from_film(const Mask<T>& by_film) { depth = select(by_film, T(0), depth); }
-    void passes(const Mask<T>& mask, const Vec3<T>& direction, const T&) {
+    void passes(const Mask<T>& mask, const Vec3<T>& direction, const T&, const auto&) {
       transport::Photon<T> out = p.photon;
       out.direction = direction;
       steps.leave(p, out, mask, depth);

@@ -1,6 +1,7 @@
 // The crossing of the surface by analog photons: chance decides between all ways.
 #pragma once
 
+#include "estimator/analog/facet_by_chance.hpp"
 #include "estimator/analog/film_by_chance.hpp"
 #include "estimator/crossing.hpp"
 #include "surface/flat.hpp"
@@ -13,6 +14,22 @@ struct ByChance : FacetsOfHistories<T, Ledger, false> {
   Index<T> spectral_bin{};
   T number{};  ///< a uniform
 
+  AfterOilyFacet<T> meet(const surface::RoughSurface<T>& surface, transport::Photon<T>& photon,
+                         transport::AtWaves<T>& at, std::uint32_t facet) const {
+    if (surface.face.oily)
+      return facet_by_chance(this->world.slabs, this->place, spectral_bin, facet, photon, at);
+    return {FacetsOfHistories<T, Ledger, false>::meet(surface, photon, at, facet), Mask<T>(false)};
+  }
+  template <class Observer>
+  void take(const transport::Photon<T>& photon, const Mask<T>& meets, const AfterOilyFacet<T>& met,
+            Observer& observer) const {
+    observer.came_from_film(met.emitted);
+    FacetsOfHistories<T, Ledger, false>::take(photon, meets, met, observer);
+  }
+  template <class Observer>
+  void cross_facets(Track<T>& t, const Mask<T>& stand, bool from_outside, Observer& observer) {
+    estimator::cross_facets(*this, t, stand, from_outside, observer);
+  }
   template <class Observer>
   void cross_flat(Track<T>& t, const Mask<T>& stand, bool from_outside, Observer& observer) const {
     auto& ledger = this->ledger;
@@ -28,7 +45,7 @@ struct ByChance : FacetsOfHistories<T, Ledger, false> {
     const auto split =
         surface::flat_surface<T>(this->world.slabs, photon.line).from_below(photon.direction);
     const Mask<T> leaves = stand & (number >= split.reflectance);
-    observer.passes(leaves, split.transmitted, photon.weight);
+    observer.passes(leaves, split.transmitted, photon.weight, [] {});
     book_out(t, leaves, ledger.escaped);
     photon.direction = select(stand, split.reflected, photon.direction);
   }
@@ -37,7 +54,7 @@ struct ByChance : FacetsOfHistories<T, Ledger, false> {
     const auto after =
         film_by_chance(this->world.slabs, this->place, spectral_bin, stand, from_outside, t.photon);
     observer.came_from_film(after.emitted);
-    observer.passes(after.up, t.photon.direction, t.photon.weight);
+    observer.passes(after.up, t.photon.direction, t.photon.weight, [] {});
     book_out(t, after.up, this->ledger.escaped);
     book_out(t, stand & !after.down, this->ledger.oil);
   }

@@ -116,16 +116,17 @@ Mask<T> emit_in_film(const medium::MediumView& sea, const Index<T>& spectral_bin
 }
 
 /// Has photons of a mask come to a film from the outside or from the inside, and follows them until
-/// they leave it or are absorbed.
+/// they leave it or are absorbed. `facet`: its number in the event.
 template <class T>
 AfterFilm<T> film_by_chance(const medium::MediumView& sea, const RandomPlace<T>& place,
                             const Index<T>& spectral_bin, const Mask<T>& mask, bool from_outside,
-                            transport::Photon<T>& photon) {
+                            transport::Photon<T>& photon, std::uint32_t facet = 0) {
   AfterFilm<T> out;
+  const std::uint32_t first = 2 * max_film_steps * facet;
   InFilm<T> at =
-      enter_film(sea, uniforms(place, film_step_blocks[0]), mask, from_outside, photon, out);
+      enter_film(sea, uniforms(place, film_step_blocks[first]), mask, from_outside, photon, out);
   for (std::uint32_t step = 1; step < max_film_steps && any(at.inside); ++step) {
-    const auto u = uniforms(place, film_step_blocks[2 * step]);
+    const auto u = uniforms(place, film_step_blocks[first + 2 * step]);
     const auto film = surface::film_on_water<T>(sea, photon.line);
     const Mask<T> absorbed = cross_film(film, u[0], at);
     leave_film(film, u[1], at.inside & !absorbed, at, photon, out);
@@ -133,7 +134,7 @@ AfterFilm<T> film_by_chance(const medium::MediumView& sea, const RandomPlace<T>&
     Mask<T> shines(false);
     if (sea.surface.emits)
       shines = emit_in_film(sea, spectral_bin, absorbed, u[2],
-                            uniforms(place, film_step_blocks[2 * step + 1]), at, photon);
+                            uniforms(place, film_step_blocks[first + 2 * step + 1]), at, photon);
     out.emitted = out.emitted | shines;
     at.inside = at.inside & (shines | !absorbed);
   }

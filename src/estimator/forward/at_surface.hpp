@@ -78,7 +78,8 @@ struct ScoredAtSurface {
 
   [[nodiscard]] Mask<T> emit(const Mask<T>& mask, const surface::AtFilm<T>& at, const T& met,
                              std::uint32_t number) {
-    return emit_by_film<Events>(world, t, {mask, at, met}, number, estimates, tally, ledger);
+    return emit_by_film<Events>(world, t, {mask, at, met}, number, passings++, leave, estimates,
+                                tally, ledger);
   }
   void about_to_meet(const transport::AtWaves<T>& at, std::uint32_t facet) {
     Mask<T> scored = at.meets;
@@ -99,8 +100,15 @@ struct ScoredAtSurface {
   void crossed(std::int32_t way, const T& cosine, const Mask<T>& crosses) {
     companions_of<Events>(world, t).crossed(t.photon.line, way, cosine, crosses);
   }
-  void passes(const Mask<T>& mask, const Vec3<T>& direction, const T& weight) {
-    pass_surface(world, t, mask, direction, weight, passings++, leave);
+  /// `by`: what the light that passes has met, which the rest has not.
+  template <class By>
+  void passes(const Mask<T>& mask, const Vec3<T>& direction, const T& weight, By by) {
+    const std::uint32_t passing = passings++;
+    if (!world.part.beyond.exists) return;
+    const auto companions = companions_of<Events>(world, t);
+    companions.apart(
+        mask, [&] { companions.passed(by(), mask); },
+        [&] { pass_surface(world, t, mask, direction, weight, passing, leave); });
   }
 };
 

@@ -41,10 +41,35 @@ class Companions {
     if (in_environments() && world_.slabs.environments.other_film)
       ratios_.crossed(world_.slabs, {line, Index<T>(way), cosine}, mask);
   }
+  /// The same of light that passes it, by a film or a facet.
+  void passed(const surface::FilmCrossing<T>& by, const Mask<T>& mask) const {
+    crossed(by.line, medium::through_film, by.cosine, mask);
+  }
+  void passed(const surface::FacetHit<T>& by, const Mask<T>& mask) const { met(by, mask); }
   /// They have met a facet of it.
   void met(const surface::FacetHit<T>& meeting, const Mask<T>& mask) const {
     if (in_environments() && world_.slabs.surface.differs_in_environments)
       ratios_.met(world_.slabs, meeting, mask);
+  }
+  /// A part of the light goes another way than the rest: change() notes by which, and take() takes
+  /// along what travels with it. Then all is as before.
+  template <class Change, class Take>
+  void apart(const Mask<T>& mask, Change change, Take take) const {
+    if (!in_environments()) return take();
+    PathRatios<T> kept(world_.slabs.environments, lanes_of<T>);
+    const auto each = [&](auto act) {
+      for_each_lane(mask, [&](int lane) {
+        act(static_cast<std::size_t>(lane), ratios_.first + static_cast<std::size_t>(lane));
+      });
+    };
+    each([&](std::size_t lane, std::size_t path) {
+      kept.copy(world_.slabs.environments, *ratios_.paths, path, lane);
+    });
+    change();
+    take();
+    each([&](std::size_t lane, std::size_t path) {
+      ratios_.paths->copy(world_.slabs.environments, kept, lane, path);
+    });
   }
   /// A film has emitted their light.
   void emitted(const surface::AtFilm<T>& at, const Index<T>& line, const Vec3<T>& direction,

@@ -324,8 +324,13 @@ Mask<T> who_are_scored(const World<T>& world, const ForwardTracks<T>& t, const M
       return mask;
     case Scored::film:
       return mask & surface::is_film_light<T>(world.slabs, t.photon.line);
-    case Scored::from_water:
-      return mask & !(t.touched == Index<T>(static_cast<std::int32_t>(transport::Touched::air)));
+    case Scored::from_water: {
+      const Index<T> air(static_cast<std::int32_t>(transport::Touched::air));
+      Mask<T> scored = !(t.touched == air);
+      if (world.slabs.surface.emits)
+        scored = scored | surface::is_film_light<T>(world.slabs, t.photon.line);
+      return mask & scored;
+    }
     case Scored::none:
       break;
   }

@@ -7,6 +7,7 @@
 #include "estimator/book.hpp"
 #include "estimator/forward/companions.hpp"
 #include "estimator/forward/estimate.hpp"
+#include "estimator/forward/passing.hpp"
 #include "estimator/random_blocks.hpp"
 #include "surface/oil.hpp"
 #include "transport/connect_waves.hpp"
@@ -70,18 +71,41 @@ T emitted_weight(const geometry::Slabs& sea, const transport::Photon<T>& photon,
          lambert;
 }
 
-/// Scores the emitted light, and sends photons down into the water as such light, by chance.
-/// Returns which; the weight of the others makes up for them.
+/// Has the light that a film emits outwards go on in the other medium. `passing`: of the event.
+template <class Events, class T>
+void pass_emitted(const World<T>& world, const ForwardTracks<T>& t, const ComeToFilm<T>& lit,
+                  const Index<T>& line, const Vec3<T>& up, const T& weight, std::uint32_t passing,
+                  const Leave<T>& leave) {
+  ForwardTracks<T> emitted = t;
+  emitted.photon.line = line;
+  emitted.photon.order = t.photon.order + Index<T>(1);
+  Mask<T> goes_on = lit.mask & (weight > T(0));
+  if (world.part.last_order > 0)
+    goes_on = goes_on & (emitted.photon.order < Index<T>(world.part.last_order));
+  const auto companions = companions_of<Events>(world, emitted);
+  companions.apart(
+      goes_on, [&] { companions.emitted(lit.at, line, up, true, goes_on); },
+      [&] { pass_surface(world, emitted, goes_on, up, weight, passing, leave); });
+}
+
+/// Scores the emitted light, has it go on in the other medium, and sends photons down into the
+/// medium as such light, by chance. Returns which; the weight of the others makes up for them. In
+/// the air, what the laser's light excites straight is left to the histories in the water, where it
+/// comes from outside. `passing`: of the event.
 template <class Events, class T, class Ledger>
 PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, ForwardTracks<T>& t,
                                   const ComeToFilm<T>& film, std::uint32_t number,
+                                  std::uint32_t passing, const Leave<T>& leave,
                                   Estimates<T>& estimates, tally::BatchTally& tally,
                                   Ledger& ledger) {
   ComeToFilm<T> lit = film;
   lit.mask = film.mask & (t.photon.line == Index<T>(0));
+  if (world.slabs.kind == medium::MediumKind::air)
+    lit.mask = lit.mask & (t.photon.order > Index<T>(0));
   if (!any(lit.mask)) return lit.mask;
   const Index<T> line = surface::film_line<T>(world.slabs, t.spectral_bin);
-  for (std::size_t g = 0; g < world.instruments.groups.size(); ++g)
+  for (std::size_t g = 0; g < world.instruments.groups.size() && world.part.scored != Scored::none;
+       ++g)
     score_film<Events>(world, t, g, line, lit, estimates, tally);
 
   const auto u = uniforms(t.place, film_blocks[number]);
@@ -93,6 +117,8 @@ PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, ForwardTracks<T>& t,
   const T rises = emitted_weight(world.slabs, photon, line, lit, up, true);
   book(ledger.escaped, lit.mask, rises);
   book(ledger.oil, lit.mask, T(0) - rises);
+  if (world.part.beyond.exists)
+    pass_emitted<Events>(world, t, lit, line, up, rises, passing, leave);
 
   const T sinks =
       emitted_weight(world.slabs, photon, line, lit, down, false) * T(1 / film_conversion);

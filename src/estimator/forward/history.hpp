@@ -15,7 +15,8 @@ namespace photic::estimator {
 /// A batch's photons n, n + 1, … of a mask leave the laser.
 template <class Events, class T, class Ledger>
 void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const Mask<T>& exist,
-           ForwardTracks<T>& t, Estimates<T>& estimates, tally::BatchTally& tally, Ledger& ledger) {
+           ForwardTracks<T>& t, Estimates<T>& estimates, tally::BatchTally& tally, Ledger& ledger,
+           const Leave<T>& leave) {
   t.place.photon = draws.photon(Index<T>(n) + lane_numbers<T>());
   t.place.event = Index<T>(0);
   for (std::size_t k = 0; k < t.lens.size(); ++k) {
@@ -29,7 +30,7 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
   if (!world.instruments.laser_region.outside) return;
   companions_of<Events>(world, t).came_down(world.instruments.laser_region, t.photon, t.on);
   const Mask<T> stand = t.on;
-  cross_surface<Events>(world, t, stand, true, estimates, tally, ledger, {});
+  cross_surface<Events>(world, t, stand, true, estimates, tally, ledger, leave);
 }
 
 /// Keeps the copies of a photon that was split, each with random numbers of its own.
@@ -120,7 +121,8 @@ void follow(const World<T>& world, std::uint64_t first, std::uint64_t count, Pas
               wait_to_pass(world, passed)};
   for (; n < static_cast<std::int32_t>(count); ++n) {
     paths.begin(world.slabs.environments, 0);
-    birth<Events>(world, draws, n, true, photon, estimates, tally, tally.ledger);
+    birth<Events>(world, draws, n, true, photon, estimates, tally, tally.ledger,
+                  first_flight.leave);
     if (photon.on) follow<Events>(world, photon, waiting, first_flight, steps, witness);
   }
 }

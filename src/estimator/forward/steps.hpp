@@ -43,7 +43,7 @@ struct ForwardSteps {
   void look_ahead(ForwardTracks<T>& t) {
     if (!world.forward.cones.empty())
       score_on_the_way<Events>(world, t, who_are_scored(world, t, t.on), estimates, tally);
-    if constexpr (Events::tools) begin_with_tools(world, t, t.on, ledger);
+    if constexpr (Events::tools) begin_with_tools<Events>(world, t, t.on, ledger, leave);
     score_further_points<Events>(world, t, estimates, tally);
   }
 

@@ -39,7 +39,7 @@ void echo_of_surface(const World<T>& world, std::uint64_t first, std::uint64_t c
   for (std::uint64_t n = 0; n < count; n += lanes_of<T>) {
     for (std::size_t k = 0; k < lanes_of<T>; ++k) paths.begin(world.slabs.environments, k);
     birth<Events>(world, draws, static_cast<std::int32_t>(n), first_lanes<T>(count - n), t,
-                  estimates, tally, not_counted);
+                  estimates, tally, not_counted, {});
     if (!world.instruments.laser_region.outside)
       rise_to_surface<Events>(world, t, estimates, tally, not_counted);
   }

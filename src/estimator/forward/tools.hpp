@@ -6,10 +6,14 @@
 #include <cstdint>
 
 #include "core/random.hpp"
+#include "estimator/forward/companions.hpp"
 #include "estimator/forward/escape.hpp"
 #include "estimator/forward/estimate.hpp"
+#include "estimator/forward/passing.hpp"
 #include "estimator/random_blocks.hpp"
 #include "estimator/termination.hpp"
+#include "surface/flat.hpp"
+#include "transport/cross.hpp"
 
 namespace photic::estimator {
 
@@ -36,10 +40,27 @@ Mask<T> are_forced(const Tools<T>& tools, const RandomPlace<T>& place) {
   return place.event <= tools.forced_flights;
 }
 
-/// Before the flight of photons that are `on` their way.
-template <class T, class Ledger>
+/// Has light that would leave the water on a forced flight go on in the air: a weight of each
+/// photon of a mask, by the flat surface, which is all that forced flights know.
+template <class Events, class T>
+void pass_forced(const World<T>& world, const ForwardTracks<T>& tracks, const Mask<T>& leaves,
+                 const T& weight, const Leave<T>& leave) {
+  ForwardTracks<T> gone = tracks;
+  const auto companions = companions_of<Events>(world, gone);
+  const Vec3<T> up = surface::flat_surface<T>(world.slabs, gone.photon.line)
+                         .from_below(select(leaves, gone.photon.direction, {T(0), T(0), T(1)}))
+                         .transmitted;
+  companions.before(gone.photon);
+  const auto came = transport::come_up(world.slabs, gone.photon);
+  companions.apart(
+      leaves, [&] { companions.flown(gone.photon, came.way.length, leaves); },
+      [&] { pass_surface(world, gone, leaves, up, weight, forced_passing, leave); });
+}
+
+/// Before the flight of photons that are `on` their way. `leave`: see pass_surface().
+template <class Events, class T, class Ledger>
 void begin_with_tools(const World<T>& world, ForwardTracks<T>& tracks, const Mask<T>& on,
-                      Ledger& ledger) {
+                      Ledger& ledger, const Leave<T>& leave) {
   transport::Photon<T>& photon = tracks.photon;
   tracks.analog_before = photon.analog_weight;
   tracks.importance_before =
@@ -50,6 +71,9 @@ void begin_with_tools(const World<T>& world, ForwardTracks<T>& tracks, const Mas
   const auto away = escape(world.slabs, photon);
   book(ledger.escaped, on & forced & away.surface, away.weight);
   book(ledger.sea_bed, on & forced & !away.surface, away.weight);
+  if (world.part.beyond.exists)
+    pass_forced<Events>(world, tracks, on & forced & away.surface & (away.weight > T(0)),
+                        away.weight, leave);
   const T& stays = tracks.stays = select(forced, T(1) - away.probability, T(1));
   photon.weight = photon.weight * stays;
   photon.analog_weight = photon.analog_weight * stays;
