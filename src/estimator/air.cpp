@@ -21,17 +21,15 @@ void turn_upside_down(Instrument& instrument) {
 Model model_of_air(const Model& model) {
   Model out = model;
   turn_upside_down(out.scene.source);
-  double lowest = out.scene.source.position_m.z,
-         highest = lowest;  // depths with a minus
+  double highest = out.scene.source.position_m.z;  // a depth with a minus
   for (scene::Telescope& t : out.scene.telescope) {
     turn_upside_down(t);
-    lowest = std::max(lowest, t.position_m.z);
     highest = std::min(highest, t.position_m.z);
   }
   constexpr double ample_m = 1;  // for lenses' rims
   out.scene.bottom.reset();
   out.medium =
-      medium::upside_down(*model.air, model.other_airs, model.medium, -lowest, -highest + ample_m);
+      medium::upside_down(*model.air, model.other_airs, model.medium, -highest, -highest + ample_m);
   out.paths = free_paths(out.medium, out.scene.simulation);
   out.averaged = averaged_phases(out.scene, out.medium);
   return out;

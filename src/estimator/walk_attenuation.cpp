@@ -75,7 +75,7 @@ double share_in(const medium::Medium& medium, std::size_t cell, const Share& sha
 double denser_in(const medium::Medium& medium) {
   constexpr double once = 1, most = 1e5;
   if (medium.kind == medium::MediumKind::water) return 1;
-  return std::clamp(once / medium.scattering_to_instrument, 1.0, most);
+  return std::clamp(once / medium.scattering_to_instruments, 1.0, most);
 }
 
 }  // namespace

@@ -306,8 +306,8 @@ class Medium {
   Waves waves;
   Film film;
   MediumKind kind = MediumKind::water;
-  double air_m = 0;                     ///< its height then, below a vacuum
-  double scattering_to_instrument = 0;  ///< optical depth of it from there to the sea, if it is
+  double air_m = 0;                      ///< its height then, below a vacuum
+  double scattering_to_instruments = 0;  ///< optical depth of it up to the highest, if it is
   EnvironmentTables environments;
   std::vector<Source> sources;  ///< of all that it is made of
 
