@@ -306,8 +306,9 @@ class Medium {
   Waves waves;
   Film film;
   MediumKind kind = MediumKind::water;
-  double air_m = 0;                      ///< its height then, below a vacuum
-  double scattering_to_instruments = 0;  ///< optical depth of it up to the highest, if it is
+  double air_m = 0;  ///< the air's height, below a vacuum
+  /// Optical depths of the air up to the highest instrument.
+  double scattering_to_instruments = 0, depth_to_instruments = 0;
   EnvironmentTables environments;
   std::vector<Source> sources;  ///< of all that it is made of
 

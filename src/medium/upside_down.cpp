@@ -69,6 +69,8 @@ Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Me
   }
   add_surface(sea, medium);
   medium.scattering_to_instruments = integral(air, air.b, 0, highest_m);
+  medium.depth_to_instruments =
+      medium.scattering_to_instruments + integral(air, air.a, 0, highest_m);
   if (!others.empty()) add_other_airs(air, others, sea, medium);
   medium.finish();
   return medium;
