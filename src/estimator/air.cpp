@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 #include "estimator/model.hpp"
 #include "estimator/walk_attenuation.hpp"
@@ -16,22 +18,35 @@ void turn_upside_down(Instrument& instrument) {
   instrument.direction.z = -instrument.direction.z;
 }
 
+/// By how much of an optical depth the clearest of other airs is clearer than the scene's, straight
+/// up to a height, in the laser's light.
+double clearer_by(const Model& model, double height_m) {
+  const auto depth = [&](const medium::Air& air) {
+    return medium::column_to(air, height_m).optical_depth.front();
+  };
+  double out = 0;
+  for (std::int32_t e = 0; e < model.medium.environments.first_tangent; ++e)
+    out =
+        std::max(out, depth(*model.air) - depth(model.other_airs[static_cast<std::size_t>(e)].to));
+  return out;
+}
+
 }  // namespace
 
 Model model_of_air(const Model& model) {
   Model out = model;
   turn_upside_down(out.scene.source);
-  double lowest = out.scene.source.position_m.z,
-         highest = lowest;  // depths with a minus
+  double highest = out.scene.source.position_m.z;  // a depth with a minus
   for (scene::Telescope& t : out.scene.telescope) {
     turn_upside_down(t);
-    lowest = std::max(lowest, t.position_m.z);
     highest = std::min(highest, t.position_m.z);
   }
   constexpr double ample_m = 1;  // for lenses' rims
   out.scene.bottom.reset();
+  // What has become weak in the scene's air may still be strong in a clearer one.
+  out.scene.simulation.tools.weight_threshold *= std::exp(-clearer_by(model, -highest));
   out.medium =
-      medium::upside_down(*model.air, model.other_airs, model.medium, -lowest, -highest + ample_m);
+      medium::upside_down(*model.air, model.other_airs, model.medium, -highest, -highest + ample_m);
   out.paths = free_paths(out.medium, out.scene.simulation);
   out.averaged = averaged_phases(out.scene, out.medium);
   return out;

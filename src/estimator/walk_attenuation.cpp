@@ -70,12 +70,14 @@ double share_in(const medium::Medium& medium, std::size_t cell, const Share& sha
   return std::min(own * change, 1.0);
 }
 
-/// In thin air free paths are drawn from so much more than its attenuation: some of the laser's
-/// light is scattered on its way to the sea.
+/// In thin air free paths are drawn from so much more than its attenuation: some of the light is
+/// scattered on its way between the sea and instruments. But air that absorbs is not to become so
+/// dense that none comes that far.
 double denser_in(const medium::Medium& medium) {
-  constexpr double once = 1, most = 1e5;
+  constexpr double once = 1, most = 1e5, deepest = 2;
   if (medium.kind == medium::MediumKind::water) return 1;
-  return std::clamp(once / medium.scattering_to_instrument, 1.0, most);
+  const double as_deep = std::clamp(deepest / medium.depth_to_instruments, 1.0, most);
+  return std::clamp(once / medium.scattering_to_instruments, 1.0, as_deep);
 }
 
 }  // namespace

@@ -93,10 +93,60 @@ AirDepths depths_by_part(const optics::AirOptics& air) {
   return out;
 }
 
+/// Lines one behind the other that share phase functions, those of a wavelength.
+struct SharedPhases {
+  std::size_t first = 0, end = 0;
+  double wavelength_nm = 0;
+};
+
+/// Phase functions that are given outright are the same at all wavelengths.
+bool same_at_all_wavelengths(const scene::Atmosphere& air) {
+  return !air.layer.empty() && std::ranges::all_of(air.layer, [](const scene::AirLayer& layer) {
+    return layer.phase_function.has_value();
+  });
+}
+
+std::vector<SharedPhases> shared_phases(const scene::Atmosphere& air,
+                                        const std::vector<Line>& lines) {
+  if (same_at_all_wavelengths(air)) return {{0, lines.size(), lines.front().wavelength_nm}};
+  std::vector<SharedPhases> out;
+  for (std::size_t first = 0, end = 1; first < lines.size(); first = end++) {
+    const Line& from = lines[first];
+    while (end < lines.size() && lines[end].process == from.process &&
+           lines[end].wavelength_nm - from.wavelength_nm <= air_phases_apart_nm)
+      ++end;
+    double photons = 0, photons_nm = 0;
+    for (std::size_t l = first; l < end; ++l) {
+      photons += lines[l].photons;
+      photons_nm += lines[l].photons * lines[l].wavelength_nm;
+    }
+    out.push_back({first, end, end == first + 1 ? from.wavelength_nm : photons_nm / photons});
+  }
+  return out;
+}
+
+void add_coefficients(const optics::AirOptics& of, Air& air) {
+  for (const optics::AirLayer& layer : of.layers) {
+    air.a.push_back(layer.a_per_m());
+    air.b.push_back(layer.b_per_m());
+    air.refractive_index.push_back(layer.refractive_index);
+    air.group_index.push_back(layer.group_index);
+  }
+}
+
+AirPhases phases_of_all(const optics::AirOptics& air) {
+  AirPhases out;
+  for (const optics::AirLayer& layer : air.layers) {
+    out.b.push_back(layer.b_per_m());
+    out.scatterers.push_back(layer.scatterers);
+  }
+  return out;
+}
+
 }  // namespace
 
-optics::PhaseTable Air::phase(std::size_t layer) const {
-  return optics::PhaseTable(optics::phase_of(scatterers[layer]));
+optics::PhaseTable Air::phase(std::size_t place, std::size_t layer) const {
+  return optics::PhaseTable(optics::phase_of(phases[place].scatterers[layer]));
 }
 
 double Air::optical_depth(std::size_t line) const {
@@ -126,25 +176,23 @@ AirBuilder::AirBuilder(const scene::Scene& scene, const std::vector<Line>& lines
 Air AirBuilder::operator()(const scene::Scene& scene) const {
   const bool outright = !scene.atmosphere->layer.empty();
   Air air;
-  for (const Line& line : lines_) {
-    const bool is_laser = &line == &lines_.front();
-    const double nm = line.wavelength_nm;
-    const auto here = at(scene, nm, is_laser ? optics::Phases::wanted : optics::Phases::left_out);
-    for (const optics::AirLayer& layer : here.layers) {
-      air.a.push_back(layer.a_per_m());
-      air.b.push_back(layer.b_per_m());
-      air.refractive_index.push_back(layer.refractive_index);
-      air.group_index.push_back(layer.group_index);
-      if (is_laser) air.scatterers.push_back(layer.scatterers);
+  for (const SharedPhases& of : shared_phases(*scene.atmosphere, lines_)) {
+    const auto there = at(scene, of.wavelength_nm, optics::Phases::wanted);
+    for (std::size_t l = of.first; l < of.end; ++l) {
+      const double nm = lines_[l].wavelength_nm;
+      const auto here = nm == of.wavelength_nm ? there : at(scene, nm, optics::Phases::left_out);
+      add_coefficients(here, air);
+      air.phases_of.push_back(air.phases.size());
+      if (outright)
+        add_source("a and b of the air", here.profile_source, nm, air.sources);
+      else
+        add_sources(here, nm, air.sources);
     }
-    if (is_laser && !outright) {
-      air.depths = depths_by_part(here);
+    if (of.first == 0 && !outright) {
+      air.depths = depths_by_part(there);
       air.depths->aerosols_550 = optics::aerosol_depth(in_layers(*scene.atmosphere));
     }
-    if (outright)
-      add_source("a and b of the air", here.profile_source, nm, air.sources);
-    else
-      add_sources(here, nm, air.sources);
+    air.phases.push_back(phases_of_all(there));
   }
   air.height_m.push_back(0);
   if (outright)

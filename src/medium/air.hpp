@@ -20,19 +20,30 @@ struct AirDepths {
   double aerosols_550 = 0;  ///< the aerosols' at 550 nm
 };
 
+/// What scatters in each layer, for lines that are scattered alike.
+struct AirPhases {
+  std::vector<double> b;                                      ///< all scattering [1/m], [layer]
+  std::vector<std::vector<optics::AirScatterer>> scatterers;  ///< [layer]
+};
+
+/// Lines of a process up to so far apart share the air's phase functions, those at their mean
+/// wavelength: each line's own for 60 layers of haze would be hundreds of megabytes of tables.
+inline constexpr double air_phases_apart_nm = 25;
+
 /// The air above the sea in layers, from the sea up. Values of line l in layer k stand at
 /// l * layers() + k.
 struct Air {
   std::vector<double> height_m;  ///< edges, ascending, the first 0: layers + 1
   std::vector<double> a, b;      ///< absorption, scattering [1/m], [line][layer]
-  std::vector<double> refractive_index, group_index;          ///< [line][layer]
-  std::vector<std::vector<optics::AirScatterer>> scatterers;  ///< in the laser's line, [layer]
+  std::vector<double> refractive_index, group_index;  ///< [line][layer]
+  std::vector<AirPhases> phases;                      ///< the laser's first
+  std::vector<std::size_t> phases_of;                 ///< place in `phases`, [line]
   std::vector<Source> sources;
   std::optional<AirDepths> depths;  ///< none in layers given outright
 
   [[nodiscard]] std::size_t layers() const { return height_m.size() - 1; }
-  /// The phase function of all scattering in a layer, of the laser's line.
-  [[nodiscard]] optics::PhaseTable phase(std::size_t layer) const;
+  /// The phase function of all scattering in a layer, by place in `phases`.
+  [[nodiscard]] optics::PhaseTable phase(std::size_t place, std::size_t layer) const;
   /// The optical depth for a line's light, from the sea straight up to the top.
   [[nodiscard]] double optical_depth(std::size_t line) const;
 };

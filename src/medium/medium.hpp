@@ -319,8 +319,9 @@ class Medium {
   Film film;
   std::vector<FilmChange> film_changes;  ///< of each environment; none: all have this film
   MediumKind kind = MediumKind::water;
-  double air_m = 0;                     ///< its height then, below a vacuum
-  double scattering_to_instrument = 0;  ///< optical depth of it from there to the sea, if it is
+  double air_m = 0;  ///< the air's height, below a vacuum
+  /// Optical depths of the air up to the highest instrument.
+  double scattering_to_instruments = 0, depth_to_instruments = 0;
   EnvironmentTables environments;
   std::vector<Source> sources;  ///< of all that it is made of
 

@@ -34,13 +34,14 @@ class AirCoefficients {
     const std::size_t layers = air.layers();
     const bool vacuum = static_cast<std::size_t>(medium_.layers()) > layers;
     for (std::size_t l = 0; l < medium_.line.size(); ++l) {
+      const AirPhases& phases = air.phases[air.phases_of[l]];
       for (std::size_t k = 0; k < layers; ++k) {
         const std::size_t at = l * layers + k;
         out.push_back({air.a[at] + air.b[at], air.b[at], 0, {}});
         if (air.b[at] == 0) continue;
-        // All lines are scattered as the laser's is: in these shares.
-        for (const optics::AirScatterer& by : air.scatterers[k]) {
-          const double b = air.b[k] > 0 ? air.b[at] / air.b[k] * by.b_per_m : air.b[at];
+        // The line is scattered in the shares of those that it shares phase functions with.
+        for (const optics::AirScatterer& by : phases.scatterers[k]) {
+          const double b = phases.b[k] > 0 ? air.b[at] / phases.b[k] * by.b_per_m : air.b[at];
           out.back().part.push_back({b, phase_of(by)});
         }
       }

@@ -1,6 +1,7 @@
 #include "medium/upside_down.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "medium/film.hpp"
 
@@ -34,7 +35,7 @@ void add_surface(const Medium& sea, Medium& medium) {
 }  // namespace
 
 Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Medium& sea,
-                   double lowest_m, double highest_m) {
+                   double highest_m, double end_m) {
   Medium medium;
   medium.kind = MediumKind::air;
   medium.line = sea.line;
@@ -44,12 +45,15 @@ Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Me
   }
   medium.top = air.height_m;
   medium.air_m = air.height_m.back();
-  const bool vacuum = highest_m > air.height_m.back();
-  if (vacuum) medium.top.push_back(highest_m);
+  const bool vacuum = end_m > air.height_m.back();
+  if (vacuum) medium.top.push_back(end_m);
   const std::size_t layers = air.layers();
-  std::vector<std::int32_t> phase;
-  for (std::size_t k = 0; k < layers; ++k) phase.push_back(medium.add_phase(air.phase(k)));
-  if (vacuum) phase.push_back(phase.back());
+  std::vector<std::vector<std::int32_t>> phases;
+  for (std::size_t i = 0; i < air.phases.size(); ++i) {
+    auto& of_layers = phases.emplace_back();
+    for (std::size_t k = 0; k < layers; ++k) of_layers.push_back(medium.add_phase(air.phase(i, k)));
+    if (vacuum) of_layers.push_back(of_layers.back());
+  }
   const auto add = [&](double a, double b, double delay) {
     const double c = std::max(a + b, min_attenuation);
     medium.c.push_back(c);
@@ -62,12 +66,14 @@ Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Me
     for (std::size_t i = l * layers; i < (l + 1) * layers; ++i)
       add(air.a[i], air.b[i], air.group_index[i] - 1);
     if (vacuum) add(0, 0, 0);
-    medium.elastic_phase.insert(medium.elastic_phase.end(), phase.begin(), phase.end());
+    std::ranges::copy(phases[air.phases_of[l]], std::back_inserter(medium.elastic_phase));
     medium.conversion_phase.push_back(0);
   }
   add_surface(sea, medium);
   add_film_from_air(sea, medium);
-  medium.scattering_to_instrument = integral(air, air.b, 0, lowest_m);
+  medium.scattering_to_instruments = integral(air, air.b, 0, highest_m);
+  medium.depth_to_instruments =
+      medium.scattering_to_instruments + integral(air, air.a, 0, highest_m);
   if (!others.empty()) add_other_airs(air, others, sea, medium);
   medium.finish();
   return medium;

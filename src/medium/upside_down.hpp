@@ -13,10 +13,10 @@ namespace photic::medium {
 inline constexpr double min_attenuation = 1e-20;
 
 /// Light of the sea's lines is scattered there and absorbed, but not converted. Above the air there
-/// is nothing up to a height [m], where light ends. `lowest`: height of the lowest instrument;
+/// is nothing up to the height `end`, where light ends. `highest`: that of the highest instrument;
 /// `others`: other_airs() of the scene.
 Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Medium& sea,
-                   double lowest_m, double highest_m);
+                   double highest_m, double end_m);
 
 /// The air straight up from the sea to a height, for each line.
 struct AirColumn {

@@ -236,7 +236,7 @@ TEST(Air, HasTheAerosolsAndTheHumidityOfTheBoundaryLayer) {
   scene::Atmosphere moist = hazy_air("maritime", 23);
   moist.relative_humidity_percent = 95;
   const Air swollen = air_of(moist, {355});
-  EXPECT_GT(swollen.phase(0).mean_cosine(), maritime.phase(0).mean_cosine() + 0.01);
+  EXPECT_GT(swollen.phase(0, 0).mean_cosine(), maritime.phase(0, 0).mean_cosine() + 0.01);
   EXPECT_EQ(scattering_at(swollen, 5500), scattering_at(maritime, 5500));
 }
 
@@ -286,11 +286,55 @@ TEST(Air, OfOwnLayersIsWhatTheSceneSays) {
     EXPECT_NEAR(air.b[i], b[i], 1e-15);
   }
   EXPECT_EQ(air.refractive_index, (std::vector{1.0, 1.5, 1.0, 1.5}));
-  ASSERT_EQ(air.scatterers.size(), 2U);
-  EXPECT_NEAR(air.phase(0).mean_cosine(), 0, 1e-4);  // molecules
-  EXPECT_NEAR(air.phase(1).mean_cosine(), 0.7, 1e-3);
+  ASSERT_EQ(air.phases.front().scatterers.size(), 2U);
+  EXPECT_NEAR(air.phase(0, 0).mean_cosine(), 0, 1e-4);  // molecules
+  EXPECT_NEAR(air.phase(0, 1).mean_cosine(), 0.7, 1e-3);
   EXPECT_NEAR(air.optical_depth(0), 1.25e-3 * 100 + 2.5e-3 * 800, 1e-12);
   EXPECT_FALSE(air.depths);
+}
+
+/// The laser's light and lines of chlorophyll's.
+std::vector<Line> lines_of_chlorophyll(const std::vector<double>& emitted_nm) {
+  std::vector<Line> lines(1);
+  lines.front().wavelength_nm = 355;
+  for (const double nm : emitted_nm)
+    lines.push_back({.process = Process::chlorophyll, .wavelength_nm = nm});
+  return lines;
+}
+
+// Lines that are not 25 nm apart share those halfway between them. Seen red: with the laser's phase
+// functions for all lines; with those of the first line for all that share.
+TEST(Air, ScattersEachLineByItsOwnPhaseFunctions) {
+  const auto lines = lines_of_chlorophyll({640, 660, 700});
+  for (const scene::Atmosphere& of : {hazy_air("rural", 5), clear_air()}) {
+    scene::Scene scene = test::ship_scene();
+    scene.atmosphere = of;
+    const AirBuilder build(scene, lines);
+    const Air air = build(scene);
+    EXPECT_EQ(air.phases_of, (std::vector<std::size_t>{0, 1, 1, 2}));
+    ASSERT_EQ(air.phases.size(), 3U);
+    const std::vector<double> nm{355, 650, 700};
+    for (std::size_t i = 0; i < nm.size(); ++i) {
+      const optics::PhaseTable own(build.at(scene, nm[i], optics::Phases::wanted).layers[0].phase);
+      for (const double x : {0.01, 0.5, 1.5})
+        EXPECT_DOUBLE_EQ(air.phase(i, 0).view().value(x), own.view().value(x)) << nm[i];
+    }
+  }
+}
+
+// Seen red: with phase functions of their own for all lines.
+TEST(Air, OfLayersGivenWithPhaseFunctionsHasThemForAllLines) {
+  scene::Scene scene = test::ship_scene();
+  scene.atmosphere = scene::Atmosphere{};
+  auto& layers = scene.atmosphere->layer = {own_layer(0, 100, 1e-3)};
+  const auto phases = [&] {
+    const auto lines = lines_of_chlorophyll({540, 580});
+    return AirBuilder(scene, lines)(scene).phases.size();
+  };
+  layers[0].iop[0].wavelength_nm = 300;
+  EXPECT_EQ(phases(), 3U);  // of molecules
+  layers[0].phase_function = henyey_greenstein(0.7);
+  EXPECT_EQ(phases(), 1U);
 }
 
 /// A rung of a ladder of gases.

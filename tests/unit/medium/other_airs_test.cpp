@@ -76,7 +76,8 @@ Medium expect_own(const scene::Scene& scene) {
 
 // The molecules are the same in all: aerosols of one kind are one part of the scattering. Between
 // 2 and 3 km there are those of the boundary layer and the ones above it. Seen red: with the
-// scattering of the scene's mixture for that of a part.
+// scattering of the scene's mixture for that of a part; with the laser's phase functions for all
+// lines.
 TEST(OtherAirs, AreWhatTheirOwnWouldBe) {
   const std::vector<scene::Channel> lasers{test::channel_of(Process::elastic)};
   EXPECT_EQ(expect_own(with_air(rural(23), {rural(8), rural(60)}, lasers)).environments.parts, 2);
