@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "estimator/ahead.hpp"
 #include "geometry/axis.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/telescope.hpp"
@@ -177,10 +178,11 @@ Rays rays_of(const scene::Source& source) {
           !geometry::stands_in_water(source.position_m)};
 }
 
-/// The ways that paths of an instrument in the medium leave out.
-geometry::Ahead ahead_in(const medium::Medium& medium, const Rays& rays) {
-  if (medium.kind == medium::MediumKind::water) return {};
-  return geometry::ahead_of_air(rays.position, rays.axis, medium.air_m);
+/// The way to where paths of an instrument above air begin; 0 for all others.
+template <class Instrument>
+geometry::Ahead above_air(const medium::Medium& medium, const Instrument& instrument) {
+  return medium.kind == medium::MediumKind::water ? geometry::Ahead{}
+                                                  : ahead_in(medium, instrument);
 }
 
 EntryCone<double> own_rays(const Rays& rays, const medium::Medium& medium,
@@ -220,7 +222,7 @@ EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Me
   auto cone = cone_of(rays, medium);
   set_rings(rays, inner, medium, cone);
   cone.exact = cone.exact && t.per_sharp_range == 0;
-  const double left_out = ahead_in(medium, rays).to_sea > 0 ? t.distance : 0;
+  const double left_out = above_air(medium, telescope).to_sea > 0 ? t.distance : 0;
   cone.spot = spot_of(rays, medium, cone.axis, deepest, [&](const Vec3<double>& outside) {
     return rays.outside ? rays.position.z / -outside.z - t.distance : -left_out;
   });
@@ -245,7 +247,7 @@ EntryCone<double> entry_cone(const scene::Source& source, const medium::Medium& 
   from_vertex.position = fictitious_vertex(laser);
   if (rays.outside && geometry::stands_in_water(from_vertex.position))
     from_vertex.position = rays.position;  // not used
-  const geometry::Ahead left_out = ahead_in(medium, rays);
+  const geometry::Ahead left_out = above_air(medium, source);
   cone.spot = spot_of(from_vertex, medium, cone.axis, deepest, [&](const Vec3<double>& outside) {
     const double secant = 1 / dot(outside, laser.axis);
     if (!rays.outside) return -(laser.vertex_distance * secant + left_out.length + left_out.to_sea);

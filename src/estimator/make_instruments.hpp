@@ -6,21 +6,13 @@
 #include <tuple>
 #include <utility>
 
+#include "estimator/ahead.hpp"
 #include "estimator/instruments.hpp"
 #include "estimator/model.hpp"
 #include "estimator/nested_views.hpp"
 #include "estimator/origin.hpp"
 
 namespace photic::estimator {
-
-/// The distances from an instrument of a model ahead to the medium's surface.
-template <class Instrument>
-geometry::Ahead ahead_in(const medium::Medium& medium, const Instrument& instrument) {
-  const auto axis = normalised(instrument.direction);
-  return medium.kind == medium::MediumKind::air
-             ? geometry::ahead_of_air(instrument.position_m, axis, medium.air_m)
-             : geometry::ahead_of(instrument.position_m, axis);
-}
 
 /// The number of the layer that an instrument of a model stands in.
 template <class Instrument>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "estimator/ahead.hpp"
 #include "estimator/origin.hpp"
 #include "estimator/random_blocks.hpp"
 
@@ -22,9 +23,7 @@ struct Ways {
   Ways(const Model& water, const Model& air) {
     constexpr double least = 0.05, per_optical_depth = 2;
     share = std::clamp(per_optical_depth * air.medium.scattering(), least, 1.0);
-    const scene::Source& laser = air.scene.source;
-    const auto left_out =
-        geometry::ahead_of_air(laser.position_m, normalised(laser.direction), air.medium.air_m);
+    const auto left_out = ahead_in(air.medium, air.scene.source);
     ahead_m = way_ahead(water.scene.source) - left_out.length - left_out.to_sea;
   }
   [[nodiscard]] PassesTo to_air(std::size_t set) const { return {set, share, ahead_m}; }

@@ -31,11 +31,21 @@ struct Ahead {
 inline Ahead ahead_of(const Vec3<double>& position, const Vec3<double>& axis) {
   return {way_ahead(position, axis), 0};
 }
+/// All rays of an instrument come through its disc, within a cone about its axis.
+struct RaysOfDisc {
+  double radius = 0;   ///< [m]
+  double tangent = 0;  ///< of the cone's half angle
+};
 /// The same where air that is so high is upside down: for an instrument above it that looks at the
-/// sea, where its light gets into the air. Paths of others leave out nothing.
-inline Ahead ahead_of_air(const Vec3<double>& position, const Vec3<double>& axis, double air_m) {
-  if (-position.z <= air_m || axis.z <= 0) return {};
-  return {(-position.z - air_m) / axis.z, air_m / axis.z};
+/// sea, a plane across its axis that no ray meets within the air. Paths of others leave out
+/// nothing.
+inline Ahead ahead_of_air(const Vec3<double>& position, const Vec3<double>& axis, double air_m,
+                          const RaysOfDisc& rays) {
+  const double above = -position.z - air_m;
+  const double sine = std::hypot(axis.x, axis.y);
+  const double length = (above - rays.radius * sine) / (axis.z + rays.tangent * sine);
+  if (axis.z <= 0 || length <= 0) return {};
+  return {length, (air_m + (above - length * axis.z)) / axis.z};
 }
 
 /// The cosine to the vertical that light of the given one in the air has in water of index n
