@@ -41,28 +41,30 @@ def _iop(a, b):
     return [{"wavelength_nm": nm, "a_per_m": round(x, 6), "b_per_m": round(y, 6)} | shares for nm, x, y in at]
 
 
-def _layer(a, b, phase_function):
-    return {"iop": _iop(a, b), "phase_function": phase_function}
-
-
 def _henyey_greenstein(g):
     return {"model": "henyey-greenstein", "g": g}
 
 
-def _constituents(chlorophyll):
-    return {"chlorophyll_mg_m3": chlorophyll, "minerals_g_m3": 0.3, "cdom_a440_per_m": 0.1}
+def _constituents(chlorophyll, share):
+    return {"chlorophyll_mg_m3": chlorophyll, "minerals_g_m3": 0.3 * share, "cdom_a440_per_m": 0.1 * share}
 
 
-def _water(value, bed):
-    profile = {"depth_m": [0.0, 1.0, 2.5, BED], "value": [0.5, 4.0, 2.0, 1.0]}
+CLEARER = 0.25  # water around a telescope, over that below others: forward scores near a lens have no bound, which flags turbid water
+
+
+def _water(value, bed, share):
+    """Layers; `share`: of what is in the water."""
+    def layer(a, b, phase_function):
+        return {"iop": _iop(a * share, b * share), "phase_function": phase_function}
+
+    profile = {"depth_m": [0.0, 1.0, 2.5, BED], "value": [x * share for x in (0.5, 4.0, 2.0, 1.0)]}
     layers = {
-        "one layer": [_layer(0.1, 0.25, _henyey_greenstein(0.8))],
-        "three layers": [_layer(0.1, 0.2, _henyey_greenstein(0.8)) | {"bottom_depth_m": 1.4},
-                         _layer(0.15, 0.5, {"model": "fournier-forand", "refractive_index": 1.1, "slope": 3.6}) | {"bottom_depth_m": 2.6},
-                         _layer(0.08, 0.2, _henyey_greenstein(0.6))],
-        "profile": [_constituents(profile) | {"bottom_depth_m": BED}] + ([] if bed else [_constituents(1.0)]),
-        "turbid": [_layer(0.02, 0.38, _henyey_greenstein(0.8))],
-        "peaked": [_layer(0.1, 0.25, "petzold")],
+        "one layer": [layer(0.1, 0.25, _henyey_greenstein(0.8))],
+        "three layers": [layer(0.1, 0.2, _henyey_greenstein(0.8)) | {"bottom_depth_m": 1.4}, layer(0.15, 0.5, "isotropic") | {"bottom_depth_m": 2.6},
+                         layer(0.08, 0.2, _henyey_greenstein(0.6))],
+        "profile": [_constituents(profile, share) | {"bottom_depth_m": BED}] + ([] if bed else [_constituents(share, share)]),
+        "turbid": [layer(0.02, 0.38, _henyey_greenstein(0.8))],
+        "peaked": [layer(0.1, 0.25, "petzold")],
     }[value]
     if bed:
         layers[-1]["bottom_depth_m"] = BED
@@ -109,29 +111,30 @@ CLEARER_AIR = {"molecules": {"atmosphere.layer.0.iop.0.b_per_m": 0.012}, "haze":
 def _poses(value):
     """Place and direction of the laser and of the telescope; the first is that of the laser."""
     down, above, below = _direction(0.0), [0.0, 0.0, HEIGHT], [0.0, 0.0, -BELOW]
-    aside = [0.4, 0.0, HEIGHT]
-    inwards = _direction(-math.atan(aside[0] / (HEIGHT + 1.0)))
+    aside, aside_below = [0.4, 0.0, HEIGHT], [0.3, 0.0, -BELOW]
+    up, ahead = _direction(math.radians(120)), [1.0, 0.0, -BELOW]  # so flat that the surface reflects all of it, which is seen from the side
     return {
         "coaxial": ((above, down), (above, down)),
         "tilted": ((above, _direction(TILT)), (above, _direction(TILT))),
-        "biaxial": ((above, down), (aside, inwards)),
+        "biaxial": ((above, down), (aside, _direction(-math.atan(aside[0] / (HEIGHT + 1.0))))),
         "laser below": ((below, down), (above, down)),
-        "telescope below": ((above, down), (below, down)),
-        "both below": (([0.0, 0.0, -1.0], [0.2, 0.0, 1.0]), ([0.3, 0.0, -1.0], down)),
+        "telescope below": ((above, down), (aside_below, down)),
+        "both below": ((below, down), ([0.3, 0.0, -BELOW], _direction(math.radians(180)))),
     }[value]
 
 
 LENS = {"diameter_m": 0.3, "focal_length_m": 0.6}
 LENSES = {"in focus": {"focus_m": 5.5}, "shifted away": {"detector_shift_m": 0.15}, "shifted towards": {"detector_shift_m": -0.08},
           "obstruction": {"focus_m": 5.5, "obstruction_diameter_m": 0.15}, "overlap": {"focus_m": 5.5}}
-VIEWS_MRAD = {"narrow": [20.0], "wide": [300.0], "nested": [20.0, 60.0], "apart": [40.0, 40.0]}
+VIEWS_MRAD = {"narrow": [40.0], "wide": [300.0], "nested": [40.0, 120.0], "apart": [60.0, 60.0]}
+WATER_VIEWS_MRAD = {"narrow": [150.0], "wide": [300.0], "nested": [150.0, 300.0], "apart": [200.0, 200.0]}  # of lenses in the water
 
 
 def _telescopes(values):
     position, direction = _poses(values["instruments"])[1]
     lens = LENS | LENSES[values["lens"]]
     out = []
-    for n, view in enumerate(VIEWS_MRAD[values["view"]]):
+    for n, view in enumerate((VIEWS_MRAD if position[2] > 0 else WATER_VIEWS_MRAD)[values["view"]]):
         x, y, z = position
         apart = values["view"] == "apart" and n > 0
         out.append({"position_m": [x, y + 0.15, z] if apart else position, "direction": direction, **lens, "half_field_of_view_mrad": view})
@@ -153,7 +156,7 @@ def _channels(values):
 def _gates(values):
     """Five gates of about a metre of water, from where the light of the sea begins."""
     (laser, laser_axis), (lens, lens_axis) = _poses(values["instruments"])
-    begin = max(0.0, -laser[2], -lens[2])
+    begin = max(0.0, -laser[2], 1.0 - lens[2] if lens[2] < 0 else 0.0)
     if values["gates"] == "depth":
         return {"depth_min_m": begin, "depth_max_m": begin + DEEPEST, "depth_step_m": DEEPEST / 5}
     if values["gates"] == "in the air":
@@ -239,14 +242,14 @@ def title_of(values):
 def scene_of(values):
     """The scene that has one value of each feature."""
     bed = values["bed"] != "none"
-    position, direction = _poses(values["instruments"])[0]
+    (position, direction), (lens, _) = _poses(values["instruments"])
     scene = {
         "title": title_of(values),
-        "source": {"wavelength_nm": LASER_NM, "position_m": position, "direction": direction, "diameter_m": 0.04, "half_divergence_mrad": 5.0},
+        "source": {"wavelength_nm": LASER_NM, "position_m": position, "direction": direction, "diameter_m": 0.04, "half_divergence_mrad": 20.0},
         "telescope": _telescopes(values),
         "channel": _channels(values),
         "optics": {},
-        "sea": {"surface": _surface(values), "layer": _water(values["water"], bed)},
+        "sea": {"surface": _surface(values), "layer": _water(values["water"], bed, 1.0 if lens[2] > 0 else CLEARER)},
     }
     if values["light"] == "lifetime":
         scene["optics"] = {"chlorophyll_lifetime_ns": 5.0}

@@ -16,7 +16,7 @@ from measure.accuracy import family_wise_z  # noqa: E402
 
 RMS = (0.7, 1.4)
 LEAST_SHARE = 0.5  # of the seeds, for a quantity to be compared; of gates with light that are compared, for a scene to say something
-PHOTONS = {"forward": 2_000_000, "bidirectional": 200_000}
+PHOTONS = {"forward": 4_000_000, "bidirectional": 200_000}
 FEWEST_BATCHES = 60  # below 30 all gates are flagged
 COSTS = {  # of a photon, over that of the plainest scene: scenes with these have as many fewer
     ("air", "molecules"): 2.5, ("air", "haze"): 3, ("air", "refraction"): 3, ("water", "profile"): 3, ("light", "filter"): 2,

@@ -1,5 +1,6 @@
 """The pairs that `photic check` refuses, and the table of them in docs/guide.md."""
 
+import itertools
 from dataclasses import dataclass
 
 from pair_array.covering import all_pairs, plainest
@@ -17,23 +18,19 @@ WORDS = {  # by which a message names a value, else its feature; in the text, th
 
 @dataclass
 class Refusal:
-    """Of pairs of one value of a feature with one of another, for one reason."""
+    """Of any of these (feature, value) with any of others, for one reason."""
 
-    pairs: list
+    these: list
+    others: list
     problems: list
 
     @property
     def text(self):
         return "; ".join(dict.fromkeys(self.problems))
 
-    @property
-    def sides(self):
-        """The values of both features."""
-        return tuple([*dict.fromkeys(side)] for side in zip(*self.pairs))
-
     def unnamed(self):
         """The values that the message does not name."""
-        for feature, value in {one for pair in self.pairs for one in pair}:
+        for feature, value in self.these + self.others:
             if not any(word in self.text for word in WORDS.get(value, WORDS.get(feature, [value]))):
                 yield feature, value
 
@@ -47,20 +44,42 @@ def _follows(pair, refusals):
     return False
 
 
+def _foam_on_oil(refusals):
+    problems = refusals.of(plainest(("surface", "cox-munk"), ("on the surface", " and ".join(FOAM_ON_OIL))))
+    return [Refusal(*([("on the surface", value)] for value in FOAM_ON_OIL), problems)] if problems else []
+
+
 def refused(refusals):
-    """All refusals, those of one reason as one."""
+    """All refusals; those of one feature with another for one reason are one where each value is refused with each."""
     found = {}
-    for pair in all_pairs():
-        problems = refusals.of_pair(pair)
-        if problems and not _follows(pair, refusals):
-            found.setdefault((pair[0][0], pair[1][0], tuple(problems)), []).append(pair)
-    foam = refusals.of(plainest(("surface", "cox-munk"), ("on the surface", " and ".join(FOAM_ON_OIL))))
-    if foam:
-        oil, whitecaps = (("on the surface", value) for value in FOAM_ON_OIL)
-        found[*oil, tuple(foam)] = [(oil, whitecaps)]
-    return [Refusal(pairs, list(problems)) for (_, _, problems), pairs in found.items()]
+    for one, other in all_pairs():
+        problems = refusals.of_pair((one, other))
+        if problems and not _follows((one, other), refusals):
+            found.setdefault((one[0], other[0], tuple(problems)), {}).setdefault(one, []).append(other)
+    out = []
+    for (*_, problems), others in found.items():
+        same = {}
+        for one, of_it in others.items():
+            same.setdefault(tuple(of_it), []).append(one)
+        out += [Refusal(these, list(of_them), list(problems)) for of_them, these in same.items()]
+    return out + _foam_on_oil(refusals)
+
+
+def _cell(side):
+    return f"{side[0][0]}: {', '.join(value for _, value in side)}"
 
 
 def rows(found):
-    for refusal in found:
-        yield [*(f"{side[0][0]}: {', '.join(value for _, value in side)}" for side in refusal.sides), refusal.text]
+    return [[_cell(refusal.these), _cell(refusal.others), refusal.text] for refusal in found]
+
+
+def _side(cell):
+    feature, _, values = cell.strip().partition(": ")
+    return [(feature, value) for value in values.split(", ")]
+
+
+def listed(table):
+    """The pairs of a table of such rows."""
+    for line in table.splitlines()[2:]:
+        these, others = line.strip("|").split("|")[:2]
+        yield from itertools.product(_side(these), _side(others))
