@@ -54,7 +54,7 @@ class Refusals:
 
 
 def _fill(values, missing, refused, rng):
-    """A scene with some values, in which further ones are chosen, feature by feature, for the pairs that are still missing."""
+    """A scene with some values, in which further ones are chosen, feature by feature, for as many as possible of the missing pairs."""
     values = dict(values)
     left = [feature for feature in FEATURES if feature not in values]
     rng.shuffle(left)
@@ -73,7 +73,10 @@ def _pair(one, other):
     return (one, other) if order.index(one[0]) < order.index(other[0]) else (other, one)
 
 
-def _best(target, missing, refused, rng):
+def _scene(target, missing, refused, rng, try_number):
+    """The best of some scenes with a pair; from the second try on one of all, as `check` may refuse more than two features together."""
+    if try_number > 0:
+        return _fill(dict(target), set(), refused, rng)
     candidates = [_fill(dict(target), missing, refused, rng) for _ in range(CANDIDATES)]
     return max(filter(None, candidates), key=lambda values: len(pairs_of(values) & missing), default=None)
 
@@ -85,7 +88,7 @@ def make(refusals, seed):
     scenes, nowhere = [], []
     while missing:
         target = min(missing)
-        values = _best(target, missing, refusals.refused, rng)
+        values = _scene(target, missing, refusals.refused, rng, tries.get(target, 0))
         if values and not refusals.of(values):
             scenes.append(values)
             missing -= pairs_of(values)
