@@ -49,7 +49,7 @@ def _constituents(chlorophyll, share):
     return {"chlorophyll_mg_m3": chlorophyll, "minerals_g_m3": 0.3 * share, "cdom_a440_per_m": 0.1 * share}
 
 
-CLEARER = 0.25  # water around a telescope, over that below others: forward scores near a lens have no bound, which flags turbid water
+CLEARER = 0.1  # water around a telescope, over that below others: forward scores near a lens have no bound, and the more turbid, the more are flagged
 
 
 def _water(value, bed, share):
@@ -112,14 +112,14 @@ def _poses(value):
     """Place and direction of the laser and of the telescope; the first is that of the laser."""
     down, above, below = _direction(0.0), [0.0, 0.0, HEIGHT], [0.0, 0.0, -BELOW]
     aside, aside_below = [0.4, 0.0, HEIGHT], [0.3, 0.0, -BELOW]
-    up, ahead = _direction(math.radians(120)), [1.0, 0.0, -BELOW]  # so flat that the surface reflects all of it, which is seen from the side
+    beside, up = [0.1, 0.0, -BELOW], _direction(math.pi)  # what is seen upwards is the beam's image in the surface
     return {
         "coaxial": ((above, down), (above, down)),
         "tilted": ((above, _direction(TILT)), (above, _direction(TILT))),
         "biaxial": ((above, down), (aside, _direction(-math.atan(aside[0] / (HEIGHT + 1.0))))),
         "laser below": ((below, down), (above, down)),
         "telescope below": ((above, down), (aside_below, down)),
-        "both below": ((below, down), ([0.3, 0.0, -BELOW], _direction(math.radians(180)))),
+        "both below": ((below, down), (beside, up)),
     }[value]
 
 

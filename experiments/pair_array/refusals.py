@@ -8,9 +8,11 @@ from pair_array.features import FOAM_ON_OIL, NEEDS
 
 HEAD = ["of these", "with these", "`photic check` says"]
 WORDS = {  # by which a message names a value, else its feature; in the text, the path or the suggestion
-    "surface": ["surface", "waves", "model ="], "film": ["oil"], "shining film": ["oil"], "whitecaps": ["whitecap"], "slick": ["slick"],
+    "surface": ["surface", "waves", "model ="],
+    "film": ["oil"], "shining film": ["oil"], "whitecaps": ["whitecap"], "slick": ["slick"],
     "bed": ["bed", "bottom"], "air": ["air", "atmosphere"], "instruments": ["instrument", "source", "telescope", "laser"],
-    "lens": ["lens", "detector", "obstruction"], "overlap": ["reception"], "view": ["view"], "water": ["water", "layer"], "profile": ["profile"],
+    "lens": ["lens", "detector", "obstruction"], "overlap": ["reception"],
+    "view": ["view"], "water": ["water", "layer"], "profile": ["profile"],
     "light": ["channel", "light"], "environments": ["environment"], "environments of other surfaces": ["environment"], "derivatives": ["derivative", "sensitivity"],
     "tools": ["tools"], "forced collisions": ["forced_collisions", "tools"], "continued": ["continue"], "gates": ["gates"],
 }
