@@ -13,7 +13,8 @@ WORDS = {  # by which a message names a value, else its feature; in the text, th
     "bed": ["bed", "bottom"], "air": ["air", "atmosphere"], "instruments": ["instrument", "source", "telescope", "laser"],
     "lens": ["lens", "detector", "obstruction"], "overlap": ["reception"],
     "view": ["view"], "water": ["water", "layer"], "profile": ["profile"],
-    "light": ["channel", "light"], "environments": ["environment"], "environments of other surfaces": ["environment"], "derivatives": ["derivative", "sensitivity"],
+    "light": ["channel", "light"],
+    "environments": ["environment"], "environments of other surfaces": ["environment"], "derivatives": ["derivative", "sensitivity"],
     "tools": ["tools"], "forced collisions": ["forced_collisions", "tools"], "continued": ["continue"], "gates": ["gates"],
 }
 
