@@ -113,7 +113,8 @@ def report(outcomes, bound):
 
 
 def table(found):
-    return "\n".join([*pages.table(refusals.HEAD, refusals.rows(found)), ""])
+    """The table, and below it the reasons, which are what `photic check` says."""
+    return "\n".join([*pages.table(refusals.HEAD, refusals.rows(found)), "", *refusals.numbered(found), ""])
 
 
 def write_guide(found, page=GUIDE):

@@ -1,12 +1,14 @@
 """The pairs that `photic check` refuses, and the table of them in docs/guide.md."""
 
 import itertools
+import textwrap
 from dataclasses import dataclass
 
 from pair_array.covering import all_pairs, plainest
 from pair_array.features import FOAM_ON_OIL, NEEDS
 
-HEAD = ["of these", "with these", "`photic check` says"]
+HEAD = ["of these", "with these", "reason"]
+WIDTH = 100  # of a page's lines
 WORDS = {  # by which a message names a value, else its feature; in the text, the path or the suggestion
     "surface": ["surface", "waves", "model ="],
     "film": ["oil"], "shining film": ["oil"], "whitecaps": ["whitecap"], "slick": ["slick"],
@@ -72,8 +74,19 @@ def _cell(side):
     return f"{side[0][0]}: {', '.join(value for _, value in side)}"
 
 
+def reasons(found):
+    return list(dict.fromkeys(refusal.text for refusal in found))
+
+
 def rows(found):
-    return [[_cell(refusal.these), _cell(refusal.others), refusal.text] for refusal in found]
+    """Rows of a table; its last column are the numbers of the reasons, from 1 on."""
+    return [[_cell(refusal.these), _cell(refusal.others), str(1 + reasons(found).index(refusal.text))] for refusal in found]
+
+
+def numbered(found):
+    """The reasons as a list in Markdown."""
+    return ["\n".join(textwrap.wrap(text, WIDTH, initial_indent=f"{n}. ", subsequent_indent="   ", break_long_words=False, break_on_hyphens=False))
+            for n, text in enumerate(reasons(found), 1)]
 
 
 def _side(cell):
@@ -83,6 +96,6 @@ def _side(cell):
 
 def listed(table):
     """The pairs of a table of such rows."""
-    for line in table.splitlines()[2:]:
+    for line in [line for line in table.splitlines() if line.startswith("|")][2:]:
         these, others = line.strip("|").split("|")[:2]
         yield from itertools.product(_side(these), _side(others))

@@ -180,7 +180,7 @@ def test_rows_hold_only_pairs_that_are_refused():
     assert set(refusals.listed(pairs.table(found))) == {(("bed", bed), HAZE) for bed in FEATURES["bed"][1:]} | {
         (("bed", "constant"), ("air", "molecules"))
     }
-    assert [row[:2] for row in refusals.rows(found)] == [["bed: constant", "air: molecules, haze"], ["bed: by angle, by wavelength", "air: haze"]]
+    assert refusals.rows(found) == [["bed: constant", "air: molecules, haze", "1"], ["bed: by angle, by wavelength", "air: haze", "1"]]
 
 
 def test_the_guide_lists_what_is_refused(program, tmp_path):
@@ -191,9 +191,11 @@ def test_the_guide_lists_what_is_refused(program, tmp_path):
     assert marked.read("guide.md", pairs.GUIDE.read_text(), pairs.TABLE) == pairs.table(found)
     page = tmp_path / "guide.md"
     page.write_text("before\n<!-- measured: refused pairs -->\nold\n<!-- end -->\nbehind\n")
-    pairs.write_guide(found[:1], page)
+    short = refusals.Refusal([SLICK], [HAZE], ["a slick is not seen through air"])
+    pairs.write_guide([short], page)
     lines = page.read_text().splitlines()
-    assert (lines[0], len(lines), lines[-2:]) == ("before", 7, ["<!-- end -->", "behind"])
+    assert (lines[0], len(lines), lines[-3]) == ("before", 9, "1. a slick is not seen through air")
+    assert lines[-2:] == ["<!-- end -->", "behind"]
 
 
 @pytest.mark.parametrize(("arguments", "message"), [
