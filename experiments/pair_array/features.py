@@ -1,0 +1,275 @@
+"""The features of scenes, their values, and the small scene that has one value of each."""
+
+import math
+
+from pair_array.scenes import changed, value_at
+
+FEATURES = {  # the first value of each is what scenes have that are about other features
+    "surface": ["flat", "cox-munk", "gaussian", "one-dimensional", "paper"],
+    "on the surface": ["clean", "film", "shining film", "whitecaps", "slick"],
+    "bed": ["none", "constant", "by angle", "by wavelength"],
+    "air": ["none", "molecules", "haze", "refraction"],
+    "instruments": ["coaxial", "tilted", "biaxial", "laser below", "telescope below", "both below"],
+    "lens": ["in focus", "shifted away", "shifted towards", "obstruction", "overlap"],
+    "view": ["narrow", "wide", "nested", "apart"],
+    "water": ["one layer", "three layers", "profile", "turbid", "peaked"],
+    "light": ["elastic", "raman", "chlorophyll", "filter", "lifetime"],
+    "run": ["lanes", "scalar", "environments", "environments of other surfaces", "derivatives", "tools", "forced collisions", "continued"],
+    "gates": ["depth", "range", "time", "in the air"],
+}
+FOAM_ON_OIL = ("film", "whitecaps")  # two values of one feature, and so in no pair
+NEEDS = {  # what a value needs of other features before it makes any scene
+    ("on the surface", "whitecaps"): {"surface": "cox-munk"},
+    ("on the surface", "slick"): {"surface": "cox-munk"},
+    ("instruments", "both below"): {"gates": "time"},
+}
+
+HEIGHT, BELOW, BED, DEEPEST = 4.0, 0.5, 3.5, 5.0  # of instruments above and below the sea, depth of the bed, the last gate [m]
+TILT = math.radians(30)
+LASER_NM, RED_NM, END_NM = 532.0, 640.0, 760.0
+GROUP_INDEX, METRE_PER_NS = 1.36, 0.299792458
+
+
+def _direction(zenith):
+    return [round(math.sin(zenith), 6), 0.0, round(-math.cos(zenith), 6)]
+
+
+def _iop(a, b):
+    """Water by wavelength: red light is absorbed more strongly; a share of what green light loses excites others."""
+    at = [(LASER_NM, a, b), (RED_NM, a + 0.2, 0.9 * b), (END_NM, a + 1.0, 0.8 * b)]
+    shares = {"a_phytoplankton_per_m": round(0.3 * a, 6), "a_cdom_per_m": round(0.2 * a, 6)}
+    return [{"wavelength_nm": nm, "a_per_m": round(x, 6), "b_per_m": round(y, 6)} | shares for nm, x, y in at]
+
+
+def _henyey_greenstein(g):
+    return {"model": "henyey-greenstein", "g": g}
+
+
+def _constituents(chlorophyll, share):
+    return {"chlorophyll_mg_m3": chlorophyll, "minerals_g_m3": 0.3 * share, "cdom_a440_per_m": 0.1 * share}
+
+
+CLEARER = 0.1  # water around a telescope, over that below others: forward scores near a lens have no bound, and the more turbid, the more are flagged
+
+
+def _water(value, bed, share):
+    """Layers; `share`: of what is in the water."""
+    def layer(a, b, phase_function):
+        return {"iop": _iop(a * share, b * share), "phase_function": phase_function}
+
+    profile = {"depth_m": [0.0, 1.0, 2.5, BED], "value": [x * share for x in (0.5, 4.0, 2.0, 1.0)]}
+    layers = {
+        "one layer": [layer(0.1, 0.25, _henyey_greenstein(0.8))],
+        "three layers": [layer(0.1, 0.2, _henyey_greenstein(0.8)) | {"bottom_depth_m": 1.4}, layer(0.15, 0.5, "isotropic") | {"bottom_depth_m": 2.6},
+                         layer(0.08, 0.2, _henyey_greenstein(0.6))],
+        "profile": [_constituents(profile, share) | {"bottom_depth_m": BED}] + ([] if bed else [_constituents(share, share)]),
+        "turbid": [layer(0.02, 0.38, _henyey_greenstein(0.8))],
+        "peaked": [layer(0.1, 0.25, "petzold")],
+    }[value]
+    if bed:
+        layers[-1]["bottom_depth_m"] = BED
+    return layers
+
+
+SURFACES = {
+    "flat": {"model": "flat"},
+    "cox-munk": {"model": "cox-munk", "wind_speed_m_s": 5.0, "wind_direction_deg": 30.0, "whitecaps": False},
+    "gaussian": {"model": "gaussian", "upwind_slope_variance": 0.02, "crosswind_slope_variance": 0.01, "wind_direction_deg": 30.0},
+    "one-dimensional": {"model": "gaussian", "upwind_slope_variance": 0.02, "crosswind_slope_variance": 0.0, "wind_direction_deg": 30.0},
+    "paper": {"model": "paper", "wind_speed_m_s": 3.0, "wind_direction_deg": 30.0, "whitecaps": False},
+}
+WEAKER_WAVES = {"cox-munk": ("wind_speed_m_s", 4.0), "gaussian": ("upwind_slope_variance", 0.016),
+                "one-dimensional": ("upwind_slope_variance", 0.016), "paper": ("wind_speed_m_s", 2.5)}
+ALBEDOS = {"constant": 0.2, "by angle": {"zenith_deg": [0.0, 60.0, 90.0], "albedo": [0.15, 0.2, 0.3]},
+           "by wavelength": {"wavelength_nm": [LASER_NM - 1, RED_NM, END_NM], "albedo": [0.1, 0.2, 0.3]}}
+OTHER_ALBEDO = 0.1
+
+
+def _oil(shining, lifetime):
+    spectrum = {"wavelength_nm": [LASER_NM - 1, 620.0, 650.0, 680.0, END_NM], "n": [1.49, 1.48, 1.48, 1.47, 1.47],
+                "a_per_m": [1.5e5, 6e4, 5e4, 4e4, 3e4], "emission_per_nm": [0.0, 0.0, 1.0, 0.0, 0.0]}
+    return {"file": spectrum, "thickness_um": 1.0, "yield": 0.05 if shining else 0.0, "lifetime_ns": 5.0 if lifetime else 0.0}
+
+
+def _air_iop(a, b):
+    return [{"wavelength_nm": LASER_NM, "a_per_m": a, "b_per_m": b}, {"wavelength_nm": END_NM, "a_per_m": a, "b_per_m": 0.6 * b}]
+
+
+ATMOSPHERES = {  # so thick that a few metres of air count
+    "molecules": {"layer": [{"bottom_height_m": 0.0, "top_height_m": 100.0, "iop": _air_iop(0.0, 0.02)}]},
+    "haze": {"profile": "us-standard", "aerosol": "maritime", "visibility_km": 0.3},
+    "refraction": {"refraction": True, "layer": [
+        {"bottom_height_m": 0.0, "top_height_m": 2.0, "iop": _air_iop(0.01, 0.02), "phase_function": _henyey_greenstein(0.7),
+         "refractive_index": 1.0009},
+        {"bottom_height_m": 2.0, "top_height_m": 100.0, "iop": _air_iop(0.0, 0.01), "phase_function": _henyey_greenstein(0.5),
+         "refractive_index": 1.0003}]},
+}
+CLEARER_AIR = {"molecules": {"atmosphere.layer.0.iop.0.b_per_m": 0.012}, "haze": {"atmosphere.visibility_km": 0.4},
+               "refraction": {"atmosphere.layer.0.iop.0.b_per_m": 0.012}}
+
+
+def _poses(value):
+    """Place and direction of the laser and of the telescope; the first is that of the laser."""
+    down, above, below = _direction(0.0), [0.0, 0.0, HEIGHT], [0.0, 0.0, -BELOW]
+    aside, aside_below = [0.4, 0.0, HEIGHT], [0.3, 0.0, -BELOW]
+    beside, up = [0.1, 0.0, -BELOW], _direction(math.pi)  # what is seen upwards is the beam's image in the surface
+    return {
+        "coaxial": ((above, down), (above, down)),
+        "tilted": ((above, _direction(TILT)), (above, _direction(TILT))),
+        "biaxial": ((above, down), (aside, _direction(-math.atan(aside[0] / (HEIGHT + 1.0))))),
+        "laser below": ((below, down), (above, down)),
+        "telescope below": ((above, down), (aside_below, down)),
+        "both below": ((below, down), (beside, up)),
+    }[value]
+
+
+LENS = {"diameter_m": 0.3, "focal_length_m": 0.6}
+LENSES = {"in focus": {"focus_m": 5.5}, "shifted away": {"detector_shift_m": 0.15}, "shifted towards": {"detector_shift_m": -0.08},
+          "obstruction": {"focus_m": 5.5, "obstruction_diameter_m": 0.15}, "overlap": {"focus_m": 5.5}}
+VIEWS_MRAD = {"narrow": [40.0], "wide": [300.0], "nested": [40.0, 120.0], "apart": [60.0, 60.0]}
+WATER_VIEWS_MRAD = {"narrow": [150.0], "wide": [300.0], "nested": [150.0, 300.0], "apart": [200.0, 200.0]}  # of lenses in the water
+
+
+def _telescopes(values):
+    position, direction = _poses(values["instruments"])[1]
+    lens = LENS | LENSES[values["lens"]]
+    out = []
+    for n, view in enumerate((VIEWS_MRAD if position[2] > 0 else WATER_VIEWS_MRAD)[values["view"]]):
+        x, y, z = position
+        apart = values["view"] == "apart" and n > 0
+        out.append({"position_m": [x, y + 0.15, z] if apart else position, "direction": direction, **lens, "half_field_of_view_mrad": view})
+    return out
+
+
+def _channels(values):
+    channels = [{"name": "elastic", "process": "elastic"}]
+    if values["light"] == "filter":
+        channels.append({"name": "filter", "centre_nm": 650.0, "fwhm_nm": 30.0, "filter": "gaussian"})
+    elif values["light"] != "elastic":
+        process = "raman" if values["light"] == "raman" else "chlorophyll"
+        channels.append({"name": process, "process": process})
+    if values["on the surface"] == "shining film":
+        channels.append({"name": "oil", "process": "oil"})
+    return channels
+
+
+def _gates(values):
+    """Five gates of about a metre of water, from where the light of the sea begins."""
+    (laser, laser_axis), (lens, lens_axis) = _poses(values["instruments"])
+    begin = max(0.0, -laser[2], 1.0 - lens[2] if lens[2] < 0 else 0.0)
+    if values["gates"] == "depth":
+        return {"depth_min_m": begin, "depth_max_m": begin + DEEPEST, "depth_step_m": DEEPEST / 5}
+    if values["gates"] == "in the air":
+        return {"depth_min_m": -1.5, "depth_max_m": 4.5, "depth_step_m": 1.2}
+    if values["gates"] == "range":
+        to_water = max(0.0, lens[2]) / abs(lens_axis[2] / math.hypot(*lens_axis))
+        return {"range_min_m": to_water, "range_max_m": to_water + DEEPEST, "range_step_m": DEEPEST / 5}
+    in_air = [max(0.0, at[2]) / abs(axis[2] / math.hypot(*axis)) for at, axis in ((laser, laser_axis), (lens, lens_axis))]
+    depths = sum(begin - max(0.0, -at[2]) for at in (laser, lens))  # of water on the way to the first gate
+    start = (sum(in_air) + GROUP_INDEX * depths) / METRE_PER_NS
+    step = 2 * GROUP_INDEX * DEEPEST / 5 / METRE_PER_NS
+    return {"start_ns": round(start, 3), "stop_ns": round(start + 5 * step, 3), "step_ns": round(step, 3)}
+
+
+def _is_oily(values):
+    return "film" in values["on the surface"]
+
+
+def _surface(values):
+    surface = dict(SURFACES[values["surface"]])
+    if "whitecaps" in values["on the surface"]:
+        surface.pop("whitecaps", None)
+        surface["whitecap_fraction"] = 0.1
+    if values["on the surface"] == "slick":
+        surface["slick"] = True
+    return surface
+
+
+def _water_change(scene):
+    path = "sea.layer.0.minerals_g_m3" if "minerals_g_m3" in scene["sea"]["layer"][0] else "sea.layer.0.iop.0.a_per_m"
+    return {path: round(1.3 * value_at(scene, path), 6)}
+
+
+def _surface_change(values):
+    change = {}
+    if values["surface"] in WEAKER_WAVES:
+        key, value = WEAKER_WAVES[values["surface"]]
+        change[f"sea.surface.{key}"] = value
+    if _is_oily(values):
+        change["oil.thickness_um"] = 0.7
+    if values["on the surface"] == "whitecaps":
+        change["sea.surface.whitecap_fraction"] = 0.07
+    return change
+
+
+def _environments(scene, values):
+    """Those of other water, then those of another bed and clearer air."""
+    sets = [_water_change(scene)]
+    if values["bed"] != "none" or values["air"] != "none":
+        bed = {} if values["bed"] == "none" else {"bottom.albedo": OTHER_ALBEDO}
+        sets.append(bed | CLEARER_AIR.get(values["air"], {}))
+    return sets
+
+
+def _parameters(scene, values):
+    """Numbers of water and bed that have derivatives."""
+    bed = ["bottom.albedo"] if values["bed"] == "constant" else []
+    return [*_water_change(scene), *bed]
+
+
+BATCH = 500
+FREE = {"free_telescope_meetings": 0.1, "free_laser_meetings": 0.3}
+TOOLS = {"tools": {"local_forced_collisions": "all", "importance": [{"depth_m": 2.0, "value": 2.0}], "at_threshold": "analog-absorption"},
+         "forced collisions": {"forced_collisions": 2}}
+
+
+def _simulation(values):
+    free = FREE if values["view"] == "wide" else dict.fromkeys(FREE, 0.0)
+    out = {"photons": 1e5, "batch_photons": BATCH, **free}
+    if values["lens"] == "overlap":
+        out["reception"] = "overlap"
+    if values["run"] in TOOLS:
+        out["tools"] = TOOLS[values["run"]]
+    return out
+
+
+def title_of(values):
+    """What is not as in the plainest scene, in words."""
+    named = [f"{feature}: {value}" for feature, value in values.items() if value != FEATURES[feature][0]]
+    return "; ".join(named) or "the plainest"
+
+
+def scene_of(values):
+    """The scene that has one value of each feature."""
+    bed = values["bed"] != "none"
+    (position, direction), (lens, _) = _poses(values["instruments"])
+    scene = {
+        "title": title_of(values),
+        "source": {"wavelength_nm": LASER_NM, "position_m": position, "direction": direction, "diameter_m": 0.04, "half_divergence_mrad": 20.0},
+        "telescope": _telescopes(values),
+        "channel": _channels(values),
+        "optics": {},
+        "sea": {"surface": _surface(values), "layer": _water(values["water"], bed, 1.0 if lens[2] > 0 else CLEARER)},
+    }
+    if values["light"] == "lifetime":
+        scene["optics"] = {"chlorophyll_lifetime_ns": 5.0}
+    if bed:
+        scene["bottom"] = {"albedo": ALBEDOS[values["bed"]]}
+    if _is_oily(values):
+        scene["oil"] = _oil(values["on the surface"] == "shining film", values["light"] == "lifetime")
+    if values["air"] != "none":
+        scene["atmosphere"] = ATMOSPHERES[values["air"]]
+    scene |= {"gates": _gates(values), "simulation": _simulation(values)}
+    if values["run"] == "environments":
+        scene["environment"] = [{"set": change} for change in _environments(scene, values)]
+    if values["run"] == "environments of other surfaces":
+        scene["environment"] = [{"set": _surface_change(values)}]
+    if values["run"] == "derivatives":
+        scene["sensitivity"] = _parameters(scene, values)
+    return scene
+
+
+def own_scene(scene, environment):
+    """The scene of an environment alone."""
+    alone = {key: value for key, value in scene.items() if key != "environment"}
+    return changed(alone, environment["set"])
