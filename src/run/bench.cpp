@@ -78,7 +78,7 @@ std::vector<Candidate> candidates(const scene::Scene& scene, double highest_albe
     c.simulation.scored_points = scored_points;
     out.push_back(std::move(c));
   }
-  if (!scene.sea.surface.is_rough()) {  // waves have no overlap
+  if (!scene.sea.surface.is_rough() && !scene.oil && !scene.atmosphere) {  // they have no overlap
     out.push_back(candidate(scene, scene::Estimator::forward, "forward, overlap"));
     out.back().simulation.reception = scene::Reception::overlap;
     out.back().exact = false;

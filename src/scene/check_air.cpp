@@ -26,6 +26,15 @@ void check_what_is_below(const Scene& scene, Findings& findings) {
     check(below(below("telescope", i), "position_m"), scene.telescope[i].position_m.z);
 }
 
+/// Light is scattered close to a lens in the air, by angles that differ over the lens.
+void check_reception_in_air(const Scene& scene, Findings& findings) {
+  if (scene.simulation.reception == Reception::overlap && findings.good({"simulation.reception"}))
+    findings.add("simulation.reception",
+                 "light that [atmosphere] scatters close to the lens lights it unevenly: the mean "
+                 "over the lens is not known",
+                 "write reception = \"ray\"");
+}
+
 void check_heights(const std::vector<AirLayer>& layers, Findings& findings) {
   double ground = 0;  // where the layer should begin
   for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -171,6 +180,7 @@ void check_atmosphere(const Scene& scene, Findings& findings) {
   if (!scene.atmosphere) return;
   const Atmosphere& air = *scene.atmosphere;
   check_what_is_below(scene, findings);
+  check_reception_in_air(scene, findings);
   if (findings.good({"atmosphere.aerosol", "atmosphere.visibility_km",
                      "atmosphere.aerosol_optical_depth_550"}))
     check_aerosols(air, findings);

@@ -183,6 +183,17 @@ std::pair<std::string, std::string> what_to_lessen(const TallyMemory& memory, co
   return {keys.step, "take fewer gates"};
 }
 
+/// The mean over a lens takes the whole of it at one angle of scattering.
+void check_reception(const Scene& scene, Findings& findings) {
+  if (scene.simulation.reception != Reception::overlap) return;
+  if (std::ranges::any_of(scene.telescope, [](const auto& t) { return t.position_m.z < 0; }) &&
+      findings.good({"simulation.reception", "telescope"}))
+    findings.remark("simulation.reception",
+                    "the mean over a lens in the water takes light scattered close to it at one "
+                    "angle: echoes near the lens are low by some per cent, without a flag; "
+                    "reception = \"ray\" is exact");
+}
+
 }  // namespace
 
 void check_gates(const Scene& scene, Findings& findings) {
@@ -201,6 +212,7 @@ void check_gates(const Scene& scene, Findings& findings) {
 
 void check_estimator(const Scene& scene, Findings& findings) {
   check_tools(scene, findings);
+  check_reception(scene, findings);
   if (scene.has_environments() && scene.simulation.estimator == Estimator::analog &&
       findings.good({"simulation.estimator"})) {
     findings.add("simulation.estimator",

@@ -16,10 +16,11 @@ PROFILE = (SOURCE / "scenes/argo-profile.csv").read_text()
 
 def remark(kind, name):
     """What is said of a good scene: of oils little is known."""
-    return {
-        "oil-spill": f'{name}:43:9: for the oil "weakly-absorbing-crude" these are placeholders, not data: absorption_337_nm, '
-        'absorption_slope; give your own oil as file = "….csv"\n'
-    }.get(kind, "")
+    placeholders = 'for the oil "weakly-absorbing-crude" these are placeholders, not data: absorption_337_nm, absorption_slope'
+    lines = {"oil-spill": 43, "oil-spill-airborne": 46}
+    if kind not in lines:
+        return ""
+    return f'{name}:{lines[kind]}:9: {placeholders}; give your own oil as file = "….csv"\n'
 
 
 @pytest.mark.parametrize("kind", KINDS)

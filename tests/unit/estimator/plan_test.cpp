@@ -98,6 +98,17 @@ const Plans air_over_waves{
     "4: histories in air, draws beside air, scores from water, all to 5\n"
     "5: histories in water, draws beside water, scores all, arrivals alone, a share to 4\n",
     air.analog};
+const Plans air_over_oil{  // so much air that all light is followed in it
+    "0: histories in water, draws own, scores all, in ledger, all to 1\n"
+    "1: histories in air, draws air, scores all, all to 2\n"
+    "2: histories in water, draws own, scores all, arrivals alone, all to 1\n",
+    "0: walks in water, draws own, scores all, in ledger\n"
+    "1: histories in water, draws beside walks, scores film\n"
+    "2: walks in air, draws air, scores all\n"
+    "3: histories in water, draws beside water, scores none, all to 4\n"
+    "4: histories in air, draws beside air, scores from water, all to 5\n"
+    "5: histories in water, draws beside water, scores all, arrivals alone, all to 4\n",
+    "refused"};
 
 const std::map<std::string, Plans> plans_of_scenes{{"airborne", clear},
                                                    {"airborne-high", air},
@@ -110,6 +121,7 @@ const std::map<std::string, Plans> plans_of_scenes{{"airborne", clear},
                                                    {"fluorosensor-355", clear},
                                                    {"minimal", clear},
                                                    {"oil-spill", oil},
+                                                   {"oil-spill-airborne", air_over_oil},
                                                    {"rov", clear},
                                                    {"ship", clear},
                                                    {"ship-tilted", clear},

@@ -381,14 +381,12 @@ TEST(Atmosphere, EveryTextOfWhatDoesNotGoWithIt) {
   EXPECT_EQ(reported({{"gates={ start_ns = 0, stop_ns = 100, step_ns = 1 }"},
                       {"telescope.0.position_m=[0, 0, -1]"}}),
             Texts{"--set telescope.0.position_m: " + no_air});
-  EXPECT_EQ(
-      reported({{"oil={ class = \"light-refined\", thickness_um = 1 }"}}),
-      Texts{"--set oil: a film of oil cannot be combined with air yet (leave [oil] or [atmosphere] "
-            "out)"});
-  EXPECT_EQ(reported({{"simulation.tools.forced_collisions=2"}}),
-            Texts{"--set simulation.tools.forced_collisions: the forward estimator's tools cannot "
-                  "be combined with air yet "
-                  "(leave [simulation.tools] or [atmosphere] out)"});
+  EXPECT_EQ(reported({{"oil={ class = \"light-refined\", thickness_um = 1 }"}}), Texts{});
+  EXPECT_EQ(reported({{"simulation.tools.forced_collisions=2"}}), Texts{});
+  EXPECT_EQ(reported({{"simulation.estimator=forward"}, {"simulation.reception=overlap"}}),
+            Texts{"--set simulation.reception: light that [atmosphere] scatters close to the lens "
+                  "lights it unevenly: the mean over the lens is not known (write reception = "
+                  "\"ray\")"});
   EXPECT_EQ(reported({{"source.position_m=[0, 0, 7e5]"}, {"telescope.0.position_m=[0, 0, 7e5]"}}),
             Texts{});  // above the top
 }
