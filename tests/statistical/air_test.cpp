@@ -82,8 +82,8 @@ const std::string haze =
 
 // Gate by gate, process by process and order by order. Seen red: with conversions
 // of light that histories beside walks do not score (Raman light twice); above the air, with free
-// walks that take the air's top for where the beam begins (20 to 50 % low from second order on), and
-// with light of the air sent into views as if it were still to be converted, at distances whose
+// walks that take the air's top for where the beam begins (20 to 50 % low from second order on),
+// and with light of the air sent into views as if it were still to be converted, at distances whose
 // squares floats do not hold.
 TEST(Air, BothEstimatorsFindTheSameLight) {
   const std::string chlorophyll = "[[sea.layer]]\nbottom_depth_m = 12.0\nchlorophyll_mg_m3 = 0.3\n";
@@ -344,6 +344,31 @@ TEST(Air, InAnyNumberOfLayersAndThreadsIsTheSame) {
     // Air that does nothing changes nothing.
     EXPECT_EQ(ship_in_air(estimator, 2, 0, 0).echo.mean, ship_in_air(estimator, 0, 0, 0).echo.mean)
         << estimator;
+  }
+}
+
+// Flights that do not leave the water, importances and collisions scored on the way: none changes
+// the light, nor what of it goes on in the air. Seen red: with what leaves on forced flights not
+// followed into the air, or followed from where the flight begins.
+TEST(Air, ToolsLeaveItsLightAsItIs) {
+  const std::string air =
+      "[[atmosphere.layer]]\nbottom_height_m = 0.0\ntop_height_m = 6.0\n" + optics(0.01, 0.15, 0.3);
+  const std::string water =
+      "[[sea.layer]]\nbottom_depth_m = 5.0\n" + optics(0.05, 0.4, 0.4) + "[bottom]\nalbedo = 0.3\n";
+  const auto run_with = [&](const std::string& tools, std::uint64_t seed) {
+    return run_in_lanes(read(lidar(12, 10, 60, 15) + air + channel("elastic") + channel("raman") +
+                             water + depth_gates(6, 1.5) +
+                             simulation(5e5, seed, "scored_points = 1\n" + tools)));
+  };
+  const auto plain = run_with("", 31);
+  for (const auto& [name, tools] :
+       {std::pair<std::string, std::string>{"forced collisions", "forced_collisions = 1000"},
+        {"all at once",
+         "forced_collisions = 2\nlocal_forced_collisions = \"all\"\nweight_threshold = 0.1\n"
+         "importance = [ { depth_m = 0.5, value = 3 }, { depth_m = 3, value = 0.7 } ]"}}) {
+    const auto by_tools = run_with("[simulation.tools]\n" + tools + "\n", 32);
+    expect_same_light(plain, by_tools, "tools under air, " + name, 0.05, 20);
+    EXPECT_NEAR(by_tools.ledger.sum(), 1, 5 * by_tools.ledger_standard_error + 1e-6);
   }
 }
 
