@@ -120,7 +120,8 @@ std::vector<SharedPhases> shared_phases(const scene::Atmosphere& air,
       photons += lines[l].photons;
       photons_nm += lines[l].photons * lines[l].wavelength_nm;
     }
-    out.push_back({first, end, end == first + 1 ? from.wavelength_nm : photons_nm / photons});
+    const bool alone = end == first + 1 || photons == 0;
+    out.push_back({first, end, alone ? from.wavelength_nm : photons_nm / photons});
   }
   return out;
 }
