@@ -174,8 +174,9 @@ tally::Result derivatives(const Setup& s, const std::string& parameters, const s
                           const std::string& more) {
   return [&](const auto& scene) {
     return s.lanes ? run_in_lanes(scene) : run::run(scene);
-  }(read("sensitivity = [" + parameters + "]\n" + (s.submerged ? submerged_lidar : ship_instrument) +
-         channel("elastic") + fmt::format("[sea]\ngroup_index = {}\n", group_index) + water +
+  }(read("sensitivity = [" + parameters + "]\n" +
+         (s.submerged ? submerged_lidar : ship_instrument) + channel("elastic") +
+         fmt::format("[sea]\ngroup_index = {}\n", group_index) + water +
          "[gates]\nstart_ns = 0\nstop_ns = 150\nstep_ns = 1\n" +
          simulation(s.lanes ? 40'000 : 4'000, 72, s.more + more, s.estimator)));
 }

@@ -98,7 +98,8 @@ const Plans air_over_waves{
     "4: histories in air, draws beside air, scores from water, all to 5\n"
     "5: histories in water, draws beside water, scores all, arrivals alone, a share to 4\n",
     air.analog};
-const Plans air_over_oil{  // so much air that all light is followed in it
+const Plans air_over_oil{
+    // so much air that all light is followed in it
     "0: histories in water, draws own, scores all, in ledger, all to 1\n"
     "1: histories in air, draws air, scores all, all to 2\n"
     "2: histories in water, draws own, scores all, arrivals alone, all to 1\n",
