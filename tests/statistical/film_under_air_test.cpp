@@ -45,9 +45,7 @@ scene::Scene scene_of(const std::string& instrument, const std::string& surface,
               times + settings);
 }
 
-// Seen red: with the film's light not passed on into the other medium; with what the laser's light
-// excites straight counted in the air as well; with light of the film that only the air has
-// scattered left out beside walks; with the film's index against air in the air's world.
+// Seen red: with light of the film that only the air has scattered left out beside walks.
 TEST(FilmUnderAir, BothEstimatorsFindItsLight) {
   for (const auto& surface : {flat, waves}) {
     const auto run_by = [&](double photons, const std::string& estimator) {
@@ -62,8 +60,8 @@ TEST(FilmUnderAir, BothEstimatorsFindItsLight) {
 }
 
 // The film is met face by face there, flat or on facets (film_by_chance.hpp, facet_by_chance.hpp).
-// Seen red: with facets' frames not turned back; with emitted light taken for light of a collision;
-// with the film's index against air in the air's world.
+// Seen red: with the film's light not passed on into the other medium; with what the laser's light
+// excites straight counted in the air as well; with the film's index against air in the air's world.
 TEST(FilmUnderAir, IsThatWhichPhotonsMeetByChance) {
   for (const auto& surface : {flat, waves}) {
     const auto run_by = [&](double photons, const std::string& more, const std::string& estimator) {
