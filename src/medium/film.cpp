@@ -137,10 +137,6 @@ void add_films_of_environments(const scene::Scene& scene, const optics::Library&
       std::ranges::all_of(scene.environment, [&](const auto& e) { return e.oil == own; }) &&
       std::ranges::all_of(scene.sensitivity, [&](const auto& s) { return s.above.oil == own; });
   if (same) return;
-  if (scene.sea.surface.is_one_dimensional())
-    throw InputError(
-        {{"", 0, 0, "over one-dimensional waves all environments have the film of the scene",
-          "write a surface with waves in both directions, or leave 'oil' as it is"}});
   const OtherFilm here = other_film(scene, library, medium);
   const double yield = here.yield > 0 ? here.yield : 1;
   const auto of = [&](const scene::Environment& e) {

@@ -104,9 +104,12 @@ void check_other(const std::string& who, const scene::Surface& here, const scene
   if (!there.is_rough())
     refuse(who, "a flat surface sends light only one way, which no history over waves takes",
            "simulate the flat sea in a scene of its own, or write a weak wind");
-  if (here.is_one_dimensional())
-    refuse(who, "over one-dimensional waves all environments have the surface of the scene",
-           "write a surface with waves in both directions, or leave 'sea.surface' as it is");
+  if ((other.upwind_variance == 0) != (own.upwind_variance == 0) ||
+      (other.crosswind_variance == 0) != (own.crosswind_variance == 0))
+    refuse(who,
+           "along or across the wind its facets or the scene's, but not both, are all level: the "
+           "densities of such slopes have no ratio",
+           "let a variance be 0 in both or in neither");
   if (other.upwind_variance > wider * own.upwind_variance ||
       other.crosswind_variance > wider * own.crosswind_variance)
     refuse(who, "its waves are steeper than the scene's, whose histories hardly meet such facets",

@@ -262,16 +262,30 @@ FilmCrossing<T> film_crossing(const Index<T>& line, const Mask<T>& outside, cons
                  select(outside, way(medium::back_into_air), way(medium::back_into_water))),
           T(abs(dot(in_water, normal)))};
 }
-/// The meeting of light from direction k1 to k2, as density() weighs facets and whitecaps.
+/// The meeting of light from direction k1 to k2 with a facet.
+template <class T>
+FacetHit<T> meeting_with(const RoughSurface<T>& surface, const Slope<T>& slope,
+                         const Mask<T>& outside, const Mask<T>& passes, const Vec3<T>& k1,
+                         const Vec3<T>& k2) {
+  FacetHit<T> out{slope, T(0), {}, {}};
+  if (surface.face.oily)
+    out.film =
+        film_crossing(surface.line, outside, passes, k1, k2, facet_of(surface.waves, slope).normal);
+  return out;
+}
+/// The meeting with a facet of a normal, of light that its film emits.
+template <class T>
+FacetHit<T> meeting_by_emission(const WavesView& waves, const Vec3<T>& normal) {
+  return {slope_across(waves, normal), T(0), {}, {}};
+}
+/// The meeting with the surface, as density() weighs facets and whitecaps; of waves of one
+/// direction with their facets alone.
 template <class T>
 FacetHit<T> meeting_of(const RoughSurface<T>& surface, const Mask<T>& outside, bool reflected,
                        const Vec3<T>& k1, const Vec3<T>& k2) {
   const auto by = surface.facets(outside, reflected, k1, k2);
-  FacetHit<T> out{by.slope, T(0), {}, {}};
-  if (surface.face.oily)
-    out.film = film_crossing(surface.line, outside, Mask<T>(!reflected), k1, k2,
-                             facet_of(surface.waves, by.slope).normal);
-  if (surface.waves.whitecap_fraction == 0) return out;
+  auto out = meeting_with(surface, by.slope, outside, Mask<T>(!reflected), k1, k2);
+  if (surface.waves.one_dimensional || surface.waves.whitecap_fraction == 0) return out;
   const T white = surface.by_whitecaps(outside, reflected, k2);
   const T all = white + by.per_density * slope_density(surface.waves, by.slope);
   out.by_whitecaps = white / select(all > T(0), all, T(1));

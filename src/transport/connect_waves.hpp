@@ -57,6 +57,7 @@ struct WavesConnection : SurfaceConnection<T> {
 template <class T>
 struct WeighedPoint {
   Mask<T> exists{};
+  Mask<T> white{};       ///< of waves of one direction: a whitecap leads by it, and no facet
   Vec3<T> at, arriving;  ///< `arriving`: direction to it
   T length{};            ///< so far [m]
   FromSurface<T> onward;
@@ -109,6 +110,7 @@ WeighedPoint<T> weighed_point_in_line(const surface::RoughSurface<T>& surface,
   WeighedPoint<T> point;
   go_by(from, telescope, lens, drawn.at, point);
   point.exists = drawn.exists & point.onward.seen;
+  point.white = white;
   const auto by = surface.facets(Mask<T>(false), back, point.arriving, point.onward.direction);
   const T slope = waves.crosswind_deviation == 0 ? by.slope.upwind : by.slope.crosswind;
   const T across = waves.crosswind_deviation == 0 ? by.slope.crosswind : by.slope.upwind;
@@ -145,9 +147,11 @@ WavesConnection<T> connect_by_waves(const geometry::Slabs& sea,
   out.onward = point.onward;
   out.sight = point.onward.sight;
   out.direction = point.arriving;
-  if (sea.surface.differs_in_environments)
+  if (sea.surface.differs_in_environments) {
     out.meeting =
         surface::meeting_of(surface, Mask<T>(false), back, point.arriving, point.onward.direction);
+    if (!sea.surface.leads_anywhere) out.meeting.by_whitecaps = select(point.white, T(1), T(0));
+  }
   const Mask<T> detected = wanted & point.exists & (from.z < T(0));
   if (!any(detected)) return out;
   const T& l1 = point.length;
@@ -198,6 +202,7 @@ SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
     out.meeting.by_whitecaps = select(reflects, back.by_whitecaps, through.by_whitecaps);
     out.meeting.film = {photon.line, select(reflects, back.film.way, through.film.way),
                         select(reflects, back.film.cosine, through.film.cosine)};
+    if (!sea.surface.leads_anywhere) out.meeting.by_whitecaps = T(1);
   }
   out.direction = way.direction;
   out.acceptance = select(
@@ -213,10 +218,10 @@ SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
 /// The same for facets of waves of one direction. Facets that lead to the lens have slopes between
 /// two bounds: one of these, drawn by a uniform, leads to a point of it or misses it.
 template <class T>
-RayConnection<T> connect_in_line(const geometry::Slabs& sea,
-                                 const instrument::Telescope<T>& telescope,
-                                 const geometry::Region<T>& region, const Photon<T>& photon,
-                                 const Mask<T>& outside, const T& u) {
+SurfaceConnection<T> connect_in_line(const geometry::Slabs& sea,
+                                     const instrument::Telescope<T>& telescope,
+                                     const geometry::Region<T>& region, const Photon<T>& photon,
+                                     const Mask<T>& outside, const T& u) {
   using std::abs;
   const auto surface = surface::rough_surface<T>(sea, photon.line);
   const auto axes = axes_of<T>(sea.waves);
@@ -233,10 +238,13 @@ RayConnection<T> connect_in_line(const geometry::Slabs& sea,
   way.direction = select(reflects, by_facet.reflected, by_facet.transmitted);
   const auto hit = come_to_lens(telescope, photon.position, way.direction);
   way.length = hit.distance;
-  RayConnection<T> out;
+  SurfaceConnection<T> out;
   out.sight = instrument::sight(telescope, hit.lens, way.direction);
   const Mask<T> seen = hit.open & out.sight.on_detector & (v > T(0));
   if (!any(seen)) return out;
+  if (sea.surface.differs_in_environments)
+    out.meeting = surface::meeting_with(surface, facet.slope, outside, Mask<T>(!reflects),
+                                        photon.direction, way.direction);
   const T share = select(reflects, by_facet.reflectance, by_facet.transmittance);
   out.direction = way.direction;
   out.acceptance = select(seen,

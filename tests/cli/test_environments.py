@@ -63,16 +63,19 @@ def test_water_that_histories_never_see_is_reported_at_its_place(photic, environ
     assert f'quick.toml:{line}:1: environment "more algae": layer "layer1" emits chlorophyll light' in done.stderr
 
 
-def test_another_film_over_waves_of_one_direction_is_refused_at_its_place(photic, scene):
-    # Seen red: taken, with the glint of the scene's own film in its environment (unflagged).
-    scene.write_text(scene.read_text() + '[[environment]]\nset = { "oil.thickness_um" = 2.0 }\n')
+def test_waves_without_a_ratio_to_those_of_the_scene_are_refused_at_their_place(photic, scene):
+    # Seen red: taken, with ratios that are no numbers.
+    scene.write_text(scene.read_text() + '[[environment]]\nset = { "sea.surface.crosswind_slope_variance" = 0.0, "oil.thickness_um" = 2.0 }\n')
     oil = ("--set", 'oil={ class = "weakly-absorbing-crude", thickness_um = 1.0 }')
-    paper = ("--set", 'sea.surface={ model = "paper", wind_speed_m_s = 5.0 }')
-    done = photic("check", "quick.toml", *oil, *paper)
+
+    def waves(across):
+        return ("--set", f'sea.surface={{ model = "gaussian", upwind_slope_variance = 0.02, crosswind_slope_variance = {across} }}')
+
+    done = photic("check", "quick.toml", *oil, *waves(0.01))
     assert done.returncode == 2
     line = 1 + scene.read_text().splitlines().index("[[environment]]")
-    assert f"quick.toml:{line}:1: over one-dimensional waves all environments have the film of the scene" in done.stderr
-    assert photic("check", "quick.toml", *oil).returncode == 0
+    assert f"quick.toml:{line}:1: environment \"environment0\": along or across the wind its facets or the scene's, but not both, are all level" in done.stderr
+    assert photic("check", "quick.toml", *oil, *waves(0.0)).returncode == 0
 
 
 GRID = """\

@@ -61,7 +61,8 @@ TEST(FilmUnderAir, BothEstimatorsFindItsLight) {
 
 // The film is met face by face there, flat or on facets (film_by_chance.hpp, facet_by_chance.hpp).
 // Seen red: with the film's light not passed on into the other medium; with what the laser's light
-// excites straight counted in the air as well; with the film's index against air in the air's world.
+// excites straight counted in the air as well; with the film's index against air in the air's
+// world.
 TEST(FilmUnderAir, IsThatWhichPhotonsMeetByChance) {
   for (const auto& surface : {flat, waves}) {
     const auto run_by = [&](double photons, const std::string& more, const std::string& estimator) {

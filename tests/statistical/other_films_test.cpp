@@ -62,6 +62,28 @@ TEST(OilFilm, OfEnvironmentsIsThatOfItsOwnRunByWalks) {
   expect_films_are_their_own_runs(lidar, waves, "bidirectional", 6e4, 16);
 }
 
+// Seen red: without the air on the film's light's way up (0.55 times the light for 0.3).
+TEST(OilFilm, UnderOtherAirIsThatOfItsOwnRun) {
+  const auto run = [](double absorption, const std::string& more, std::uint64_t seed) {
+    return run_in_lanes(read(
+        instrument(10, 15, 355) + channel("oil") + film(3) +
+        fmt::format("[[atmosphere.layer]]\nbottom_height_m = 0.0\ntop_height_m = 20.0\niop = [ "
+                    "{{ wavelength_nm = 350.0, a_per_m = {0}, b_per_m = 0.002 }}, "
+                    "{{ wavelength_nm = 700.0, a_per_m = {0}, b_per_m = 0.002 }} ]\n",
+                    absorption) +
+        clear_water + "[gates]\nrange_min_m = 0.0\nrange_max_m = 20.0\nrange_step_m = 20.0\n" +
+        more + simulation(5e4, seed, "", "forward")));
+  };
+  const auto all = run(0.02,
+                       "[[environment]]\nset = { \"atmosphere.layer.0.iop.0.a_per_m\" = 0.08, "
+                       "\"atmosphere.layer.0.iop.1.a_per_m\" = 0.08 }\n",
+                       31);
+  ZFamily family(0.01);
+  compare_environment(all, 0, run(0.08, "", 32), family, "darker air");
+  EXPECT_EQ(family.size(), 1U);
+  family.judge();
+}
+
 // The derivative by the thickness is that of films a little thicker and thinner.
 void expect_derivatives_by_the_film(const std::string& estimator, double photons) {
   const auto r = run_in_lanes(read("sensitivity = [\"oil.thickness_um\", \"oil.yield\"]\n" +

@@ -59,9 +59,8 @@ PHOTIC_APART void score_at_surface(const World<T>& world, const ForwardTracks<T>
       score(transport::connect_from_surface(world.slabs, group.widest, group.region, t.photon,
                                             outside, t.lens[g]));
     if (!anywhere)
-      score({transport::connect_in_line(world.slabs, group.widest, group.region, t.photon, outside,
-                                        uniforms(t.place, line_blocks[facet])[0]),
-             {}});
+      score(transport::connect_in_line(world.slabs, group.widest, group.region, t.photon, outside,
+                                       uniforms(t.place, line_blocks[facet])[0]));
   }
 }
 

@@ -74,7 +74,7 @@ class Companions {
   /// A film has emitted their light.
   void emitted(const surface::AtFilm<T>& at, const Index<T>& line, const Vec3<T>& direction,
                bool up, const Mask<T>& mask) const {
-    if (in_environments() && world_.slabs.environments.other_film && any(mask))
+    if (in_environments() && any(mask))
       ratios_.emitted(world_.slabs, at, line, direction, up, mask);
   }
 

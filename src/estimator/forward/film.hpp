@@ -53,7 +53,12 @@ void score_film(const World<T>& world, const ForwardTracks<T>& t, std::size_t g,
   estimates.begin(t.ratios);
   const auto complete = [&](Completion<T>& completion) {
     completion.emission.emit(world.slabs, film.at, line, way.direction, group.region.outside);
-    if (!group.region.outside)
+    if (world.slabs.surface.differs_in_environments)
+      completion.surface.meet(world.slabs,
+                              surface::meeting_by_emission(world.slabs.waves, film.at.normal));
+    if (group.region.outside)
+      add_air(group.region, line, way.rising_cosine(), completion.ways);
+    else
       completion.pass(world.slabs,
                       transport::from_surface_in_water(world.slabs, group.region, line, way));
   };

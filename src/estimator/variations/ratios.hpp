@@ -70,6 +70,8 @@ struct Ratios {
       const auto i = static_cast<std::size_t>(lane);
       paths->of(first + i).meet(sea, emission, i);
     });
+    if (sea.surface.differs_in_environments)
+      met(sea, surface::meeting_by_emission(sea.waves, at.normal), mask);
   }
   /// Notes that photons of a mask have met the surface.
   PHOTIC_APART PHOTIC_FLATTEN void met(const medium::MediumView& sea, surface::FacetHit<T> meeting,

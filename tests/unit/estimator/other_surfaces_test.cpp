@@ -65,5 +65,39 @@ TEST(OtherSurfaces, HaveTheRatioOfWhatSurfacesSendOn) {
   EXPECT_GT(most, 1.5);
 }
 
+// Of waves of one direction facets that light meets by chance have the ratio of the densities of
+// one slope, and those that light meets between two others Smith's besides.
+// Seen red: with the ratio of densities of two slopes (the square of their widths' ratio).
+TEST(OtherSurfaces, OfOneDimensionHaveTheRatioOfDensitiesOfOneSlope) {
+  const auto paper = [](double wind_speed_m_s) {
+    scene::Scene scene = under(wind_speed_m_s, 0.1);
+    scene.sea.surface.model = scene::SurfaceModel::paper;
+    return scene;
+  };
+  scene::Scene all = paper(9);
+  const scene::Scene other = paper(5);
+  all.environment.push_back({"other", {}, other.optics, other.sea});
+  const medium::Medium here = medium::medium_of(all), there = medium::medium_of(other);
+  const medium::MediumView sea = here.view(), other_sea = there.view();
+  OtherSurfaces<double> met;
+  for (std::uint64_t n = 0; n < 1000; ++n) {
+    const auto u = uniforms<double>(RandomKey{4}, n, 0, 0);
+    surface::FacetHit<double> hit;
+    hit.slope = surface::sample_slope(sea.waves, u[0], u[1]);
+    const auto density = [&](const medium::MediumView& of) {
+      return surface::gaussian_along(of.waves.upwind_deviation, hit.slope.upwind);
+    };
+    EXPECT_EQ(hit.slope.crosswind, 0);
+    met.meet(sea, hit);
+    const double ratio = density(other_sea) / density(sea);
+    EXPECT_NEAR(1 + met.sum(sea, 0, 0), ratio, 1e-9 * (1 + ratio));
+    hit.between = direction(u[3], u[2], 1, 0.02);
+    met.meet(sea, hit);
+    const double smith = (1 + surface::smith(sea.waves, hit.between)) /
+                         (1 + surface::smith(other_sea.waves, hit.between));
+    EXPECT_NEAR(1 + met.sum(sea, 0, 0), smith * ratio, 1e-9 * (1 + smith * ratio));
+  }
+}
+
 }  // namespace
 }  // namespace photic::estimator

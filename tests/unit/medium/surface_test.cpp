@@ -242,14 +242,30 @@ TEST(SurfaceOfAnEnvironment, MayNotBeSteeper) {
   const auto wind = [](double speed) { return gaussian_cox_munk(speed, 0.01); };
   expect_refused(wind(5), wind(6), "its waves are steeper than the scene's");
   expect_refused(wind(5), wind(0), "a flat surface sends light only one way");
-  expect_refused(paper_sea(5), paper_sea(4), "over one-dimensional waves");
+  expect_refused(paper_sea(5), paper_sea(6), "its waves are steeper than the scene's");
   expect_refused(cox_munk_sea(15), cox_munk_sea(14), "in the scene's wind Cox & Munk's series");
   expect_refused(gaussian_cox_munk(5, 0), wind(5), "there are whitecaps, but none in the scene");
   expect_refused(gaussian_cox_munk(5, 1), wind(5), "whitecaps leave some of the surface free");
-  for (const auto& good : {over(wind(5), wind(4)), over(cox_munk_sea(10), cox_munk_sea(3)),
-                           over(wind(5), gaussian_cox_munk(5, 0.9))})
+  for (const auto& good :
+       {over(wind(5), wind(4)), over(cox_munk_sea(10), cox_munk_sea(3)),
+        over(wind(5), gaussian_cox_munk(5, 0.9)), over(paper_sea(5), paper_sea(4)),
+        over(gaussian_sea(0, 0.02), gaussian_sea(0, 0.01))})
     EXPECT_TRUE(medium_of(good).view().surface.differs_in_environments);
   EXPECT_FALSE(medium_of(over(wind(5), wind(5))).view().surface.differs_in_environments);
+}
+
+// Seen red: without the check (the first pair was taken, with ratios that are no numbers).
+TEST(SurfaceOfAnEnvironment, HasSlopesInTheDirectionsOfTheScene) {
+  const auto both = gaussian_sea(0.02, 0.01), along = gaussian_sea(0.02, 0),
+             across = gaussian_sea(0, 0.02);
+  for (const auto& scene : {over(both, along), over(along, both), over(both, across),
+                            over(across, both), over(along, gaussian_sea(0, 0.01))}) {
+    const std::string all = refusal(scene);
+    EXPECT_NE(all.find("environment \"other\": along or across the wind its facets or the scene's, "
+                       "but not both, are all level"),
+              std::string::npos)
+        << all;
+  }
 }
 
 }  // namespace
