@@ -45,7 +45,8 @@ scene::Scene scene_of(const std::string& instrument, const std::string& surface,
               times + settings);
 }
 
-// Seen red: with light of the film that only the air has scattered left out beside walks.
+// Seen red: with rays that begin above the air on a plane across the axis, where some of a tilted
+// lens's are within it already (2 % of a gate).
 TEST(FilmUnderAir, BothEstimatorsFindItsLight) {
   for (const auto& surface : {flat, waves}) {
     const auto run_by = [&](double photons, const std::string& estimator) {
