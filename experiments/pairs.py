@@ -8,15 +8,15 @@
     experiments/pairs.py build/release/apps/photic/photic --write-guide       # the table of refused pairs in docs/guide.md
 
 Features, their values and the scenes are those of pair_array/features.py. `photic check` is asked which pairs can be combined; of the
-rest, --seed makes another array. A scene is run by the forward and by the bidirectional estimator. What only the forward one has
-(tools, overlap reception) is compared with the bidirectional run without it. An environment is compared with a run of its own, a
+rest, --seed makes another array. A scene is run by the forward and by the bidirectional estimator. Tools and
+overlap reception, which only the forward one has, are compared with the bidirectional run without them. An environment is compared with a run of its own, a
 derivative with a difference of two runs; a run in two sittings is to be equal to one, lanes to be close to the scalar engine.
 
 Compared are gates, processes and orders that neither estimator flags in nine tenths of the seeds. z is the plain mean of their differences
 over all seeds, over the error of that mean. All z of the array stay below the largest allowed but for a chance of 1 in 100; the root mean
-square of the z of single seeds of a scene is to be 0.7 to 1.4. A scene that fails is run with 20 seeds before it counts. A scene says
-nothing in which fewer than half of the gates with light are unflagged in both, in the mean over seeds. The exit code is 1 if a scene disagrees or
-says nothing, if a refusal does not name both features, or if no scene can hold a pair that is accepted.
+square of the z of single seeds of a scene is to be 0.7 to 1.4. A scene that fails is run with 20 seeds before it counts. A scene is
+inconclusive if fewer than half of the gates with light are unflagged in both, in the mean over seeds. The exit code is 1 if a scene disagrees or
+is inconclusive, if a refusal does not name both features, or if no scene can hold a pair that is accepted.
 """
 
 import argparse
@@ -77,9 +77,9 @@ def is_asked(values, only):
 def in_words(outcome, bound):
     z, where = outcome.largest()
     flagged = " and ".join(f"{count} by {estimator}" for estimator, count in outcome.flagged.items())
-    said = "   NOT HELD" if not outcome.held(bound) else "" if outcome.says_something else "   SAYS NOTHING"
+    verdict = "   DISAGREES" if not outcome.held(bound) else "" if outcome.conclusive else "   INCONCLUSIVE"
     lines = [f"{title_of(outcome.values)}: {outcome.seeds} seeds, {outcome.count} compared, largest z {z:+.2f} ({where}), "
-             f"rms z {outcome.rms:.2f}; of {outcome.lit} gates with light {flagged} flagged{said}"]
+             f"rms z {outcome.rms:.2f}; of {outcome.lit} gates with light {flagged} flagged{verdict}"]
     return "\n  ".join([*lines, *outcome.faults, *outcome.beyond(bound)])
 
 
@@ -101,19 +101,19 @@ def run(program, scenes, seeds, jobs, share=1.0):
 
 
 def report(outcomes, bound):
-    """Prints the outcomes; returns whether all agree and say something."""
+    """Prints the outcomes; returns whether all agree and are conclusive."""
     for outcome in outcomes:
         print(in_words(outcome, bound), flush=True)
     bad = sum(not outcome.held(bound) for outcome in outcomes)
-    silent = sum(outcome.held(bound) and not outcome.says_something for outcome in outcomes)
+    unclear = sum(outcome.held(bound) and not outcome.conclusive for outcome in outcomes)
     flagged = sum(sum(outcome.flagged.values()) for outcome in outcomes)
     print(f"{len(outcomes)} scenes, {sum(o.count for o in outcomes)} comparisons, |z| allowed up to {bound:.2f}: {bad} scenes disagree, "
-          f"{silent} say nothing; {sum(o.lit for o in outcomes)} gates with light, flagged {flagged} times")
-    return not bad and not silent
+          f"{unclear} are inconclusive; {sum(o.lit for o in outcomes)} gates with light, flagged {flagged} times")
+    return not bad and not unclear
 
 
 def table(found):
-    """The table, and below it the reasons, which are what `photic check` says."""
+    """The table, and below it the reasons, the messages of `photic check`."""
     return "\n".join([*pages.table(refusals.HEAD, refusals.rows(found)), "", *refusals.numbered(found), ""])
 
 
@@ -122,7 +122,7 @@ def write_guide(found, page=GUIDE):
 
 
 def ask(program, page=GUIDE):
-    """What `photic check` says, asked first of the pairs that the guide lists: so others are soon known to be accepted."""
+    """The findings of `photic check`, asked first for the pairs that the guide lists: so others are soon known to be accepted."""
     asks = covering.Refusals(lambda values: program.problems(scene_of(values)))
     for pair in refusals.listed(marked.read(page.name, page.read_text(), TABLE)):
         if pair in covering.all_pairs():

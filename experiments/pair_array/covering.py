@@ -29,7 +29,7 @@ def pairs_of(values):
 
 
 class Refusals:
-    """What `photic check` says of scenes; each is asked once. `problems(values)`: lines, none where a scene is accepted."""
+    """The findings of `photic check` on scenes; each is asked once. `problems(values)`: lines, none where a scene is accepted."""
 
     def __init__(self, problems):
         self._problems, self._known = problems, {}

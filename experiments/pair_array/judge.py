@@ -1,4 +1,4 @@
-"""The runs of a scene over its seeds, and what they say: agreement, disagreement, or nothing."""
+"""The runs of a scene over its seeds, and their verdict: agreement, disagreement, or none."""
 
 import math
 import sys
@@ -16,7 +16,7 @@ from measure.accuracy import family_wise_z  # noqa: E402
 
 RMS = (0.7, 1.4)
 UNFLAGGED_SEEDS = 0.9  # for a quantity to be compared, by its mean over all: seeds that lack rare large scores are the unflagged ones
-UNFLAGGED_GATES = 0.5  # of those with light, for a scene to say something
+UNFLAGGED_GATES = 0.5  # of those with light, for a scene to be conclusive
 PHOTONS = {"forward": 4_000_000, "bidirectional": 200_000}
 FEWEST_BATCHES = 60  # below 30 all gates are flagged
 COSTS = {  # of a photon, over that of the plainest scene: scenes with these have as many fewer; more where water is clear
@@ -73,7 +73,7 @@ class Outcome:
         return float(np.array(self.families["gates"][2]).sum() / self.seeds)
 
     @property
-    def says_something(self):
+    def conclusive(self):
         return self.lit > 0 and self.unflagged >= UNFLAGGED_GATES * self.lit
 
     def largest(self):

@@ -15,7 +15,7 @@ FORWARD_ALONE = ("simulation.tools", "simulation.reception")
 
 
 class Failed(Exception):
-    """The program did not do what it should; the message says what."""
+    """The program failed; the message states how."""
 
 
 def for_estimator(scene, estimator):

@@ -18,8 +18,8 @@ void turn_upside_down(Instrument& instrument) {
   instrument.direction.z = -instrument.direction.z;
 }
 
-/// By how much of an optical depth the clearest of other airs is clearer than the scene's, straight
-/// up to a height, in the laser's light.
+/// The optical depth by which the clearest of other airs is clearer than the scene's, straight up to
+/// a height, in the laser's light.
 double clearer_by(const Model& model, double height_m) {
   const auto depth = [&](const medium::Air& air) {
     return medium::column_to(air, height_m).optical_depth.front();
@@ -43,7 +43,7 @@ Model model_of_air(const Model& model) {
   }
   constexpr double ample_m = 1;  // for lenses' rims
   out.scene.bottom.reset();
-  // What has become weak in the scene's air may still be strong in a clearer one.
+  // Light that is weak in the scene's air may be strong in a clearer one.
   out.scene.simulation.tools.weight_threshold *= std::exp(-clearer_by(model, -highest));
   out.medium =
       medium::upside_down(*model.air, model.other_airs, model.medium, -highest, -highest + ample_m);

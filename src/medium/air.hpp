@@ -20,7 +20,7 @@ struct AirDepths {
   double aerosols_550 = 0;  ///< the aerosols' at 550 nm
 };
 
-/// What scatters in each layer, for lines that are scattered alike.
+/// The scatterers of each layer, for lines that are scattered alike.
 struct AirPhases {
   std::vector<double> b;                                      ///< all scattering [1/m], [layer]
   std::vector<std::vector<optics::AirScatterer>> scatterers;  ///< [layer]

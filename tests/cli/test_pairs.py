@@ -27,7 +27,7 @@ def test_estimators_agree_where_features_meet(program):
     print("\n".join(pairs.in_words(outcome, bound) for outcome in outcomes))
     assert not any(outcome.faults for outcome in outcomes)
     assert not [line for outcome in outcomes for line in outcome.beyond(bound)]
-    assert all(outcome.says_something for outcome in outcomes)
+    assert all(outcome.conclusive for outcome in outcomes)
     z = np.concatenate([outcome.of_seeds() for outcome in outcomes])
     assert judge.RMS[0] < np.sqrt(np.mean(z**2)) < judge.RMS[1]
 
@@ -103,16 +103,16 @@ def test_what_is_flagged_in_some_seeds_is_not_compared():
     assert (outcome.count, outcome.unflagged, outcome.of_seeds().size) == (3, 3.7, 30)
 
 
-def test_a_scene_that_is_flagged_says_nothing(capsys):
-    assert made_up(1.0, lit=8).says_something and not made_up(1.0, lit=9).says_something
-    silent = made_up(1.0, known=False)
-    assert (silent.count, silent.held(2.0), silent.says_something) == (0, True, False)
+def test_a_scene_that_is_flagged_is_inconclusive(capsys):
+    assert made_up(1.0, lit=8).conclusive and not made_up(1.0, lit=9).conclusive
+    unclear = made_up(1.0, known=False)
+    assert (unclear.count, unclear.held(2.0), unclear.conclusive) == (0, True, False)
     assert pairs.report([made_up(1.0)], 2.0)
-    assert not pairs.report([made_up(1.0), silent], 2.0)
+    assert not pairs.report([made_up(1.0), unclear], 2.0)
     assert not pairs.report([made_up(1.0), made_up(3.0)], 2.0)
-    said = capsys.readouterr().out.splitlines()
-    assert said[-2] == "  gates [3]: z +3.00" and said[-6].endswith("NOT HELD")
-    assert "1 scenes disagree, 0 say nothing" in said[-1]
+    printed = capsys.readouterr().out.splitlines()
+    assert printed[-2] == "  gates [3]: z +3.00" and printed[-6].endswith("DISAGREES")
+    assert "1 scenes disagree, 0 are inconclusive" in printed[-1]
 
 
 def test_a_scene_that_fails_is_run_with_more_seeds(monkeypatch):
