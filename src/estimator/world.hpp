@@ -37,8 +37,8 @@ struct RandomNumbers {
   SobolPoints points;  ///< of a batch; none: all numbers are drawn independently
 };
 
-/// A medium on one side of the sea surface, water or air, and what follows light in it. Its inside
-/// is the medium; its outside lies beyond the surface.
+/// A medium on one side of the sea surface, water or air, with the instruments, and the settings of
+/// light in it. Its inside is the medium; its outside lies beyond the surface.
 template <class T>
 struct World {
   geometry::Slabs slabs;  ///< of the medium

@@ -298,7 +298,7 @@ struct OtherFilm {
   std::vector<double> index, optical_thickness;  ///< as in FilmView, [line]
   double yield = 0;                              ///< over the medium's
 };
-/// Two of them, whose difference counts so often.
+/// Two films, and the factor by which their difference counts.
 struct FilmChange {
   OtherFilm from, to;
   double scale = 1;

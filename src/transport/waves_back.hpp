@@ -17,7 +17,7 @@ namespace photic::transport {
 template <class T>
 struct BackAtWaves {
   Mask<T> meets{};    ///< the walks about to meet a facet
-  Mask<T> outside{};  ///< those in the air
+  Mask<T> outside{};  ///< those beyond the surface
   Mask<T> leaving{};  ///< those that could have left the surface, and go on to a steeper facet
 };
 template <class T>

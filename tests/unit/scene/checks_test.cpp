@@ -259,6 +259,26 @@ TEST(Checks, ATelescopeThatLooksUpHasNoDepths) {
                                       "gates have times, but no depths"}));
 }
 
+// Seen red: without the remark; with it for lenses in the air, too.
+TEST(Checks, RemarkOnTheMeanOverALensInTheWater) {
+  const auto remarks = [](const std::string& z) {
+    const std::string text = edited({});
+    return read_scene_text(text, "scene.toml", "/",
+                           {{"simulation.estimator=forward"},
+                            {"simulation.reception=overlap"},
+                            {"gates={ start_ns = 0, stop_ns = 100, step_ns = 10 }"},
+                            {"telescope.0.position_m=[0, 0, " + z + "]"}})
+        .remarks;
+  };
+  EXPECT_EQ(remarks("12"), std::vector<std::string>{});
+  EXPECT_EQ(
+      remarks("-1"),
+      (std::vector<std::string>{
+          "--set simulation.reception: the mean over a lens in the water takes light scattered "
+          "close to it at one angle: echoes near the lens are low by some per cent, without a "
+          "flag; reception = \"ray\" is exact"}));
+}
+
 TEST(Checks, MemoryOfManyOrders) {
   std::string channels;
   for (int i = 0; i < 100; ++i)
