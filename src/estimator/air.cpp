@@ -18,8 +18,8 @@ void turn_upside_down(Instrument& instrument) {
   instrument.direction.z = -instrument.direction.z;
 }
 
-/// The optical depth by which the clearest of other airs is clearer than the scene's, straight up to
-/// a height, in the laser's light.
+/// The optical depth by which the clearest of other airs is clearer than the scene's, straight up
+/// to a height, in the laser's light.
 double clearer_by(const Model& model, double height_m) {
   const auto depth = [&](const medium::Air& air) {
     return medium::column_to(air, height_m).optical_depth.front();
