@@ -3,7 +3,9 @@
 #include <cstdint>
 
 #include "estimator/model.hpp"
+#include "estimator/origin.hpp"
 #include "estimator/walk_attenuation.hpp"
+#include "medium/outside_column.hpp"
 #include "medium/upside_down.hpp"
 
 namespace photic::estimator {
@@ -14,8 +16,18 @@ constexpr double min_height_m = 1e-6;
 
 template <class Instrument>
 void turn_upside_down(Instrument& instrument) {
-  instrument.position_m.z = std::min(-instrument.position_m.z, -min_height_m);
+  double& z = instrument.position_m.z;
+  z = geometry::stands_in_water(instrument.position_m) ? -z : std::min(-z, -min_height_m);
   instrument.direction.z = -instrument.direction.z;
+}
+
+/// Has the instruments in the water stand outside the air as a medium, beyond a column of water.
+void add_water(const Model& sea, Model& air) {
+  const auto depth_m = heights_of(air.scene);
+  air.columns = columns_to(sea.medium, depth_m);
+  if (!sea.scene.has_environments() || !any_in_water(sea.scene)) return;
+  air.medium.environments.excess_outside = medium::excess_depths(sea.medium, depth_m);
+  air.medium.finish();
 }
 
 /// The optical depth by which the clearest of other airs is clearer than the scene's, straight up
@@ -36,17 +48,19 @@ double clearer_by(const Model& model, double height_m) {
 Model model_of_air(const Model& model) {
   Model out = model;
   turn_upside_down(out.scene.source);
-  double highest = out.scene.source.position_m.z;  // a depth with a minus
-  for (scene::Telescope& t : out.scene.telescope) {
-    turn_upside_down(t);
-    highest = std::min(highest, t.position_m.z);
-  }
+  for (scene::Telescope& t : out.scene.telescope) turn_upside_down(t);
+  const double highest = std::max(0.0, std::ranges::max(heights_of(model.scene)));
+  const bool from_everywhere = std::ranges::any_of(  // light that all of the air scatters comes in
+      model.scene.telescope, [](const auto& t) { return geometry::stands_in_water(t.position_m); });
+  const double counts_to =
+      std::max(from_everywhere ? model.air->height_m.back() : highest, min_height_m);
   constexpr double ample_m = 1;  // for lenses' rims
   out.scene.bottom.reset();
   // Light that is weak in the scene's air may be strong in a clearer one.
-  out.scene.simulation.tools.weight_threshold *= std::exp(-clearer_by(model, -highest));
+  out.scene.simulation.tools.weight_threshold *= std::exp(-clearer_by(model, counts_to));
   out.medium =
-      medium::upside_down(*model.air, model.other_airs, model.medium, -highest, -highest + ample_m);
+      medium::upside_down(*model.air, model.other_airs, model.medium, counts_to, highest + ample_m);
+  add_water(model, out);
   out.paths = free_paths(out.medium, out.scene.simulation);
   out.averaged = averaged_phases(out.scene, out.medium);
   return out;

@@ -3,16 +3,21 @@
 #include <cmath>
 
 #include "medium/bent_axis.hpp"
-#include "medium/upside_down.hpp"
+#include "medium/outside_column.hpp"
 
 namespace photic::estimator {
 namespace {
 
-/// Moves one instrument; returns the factor of its angles.
+/// Moves one instrument in the air; returns the factor of its angles.
 template <class Instrument>
 double put_where_it_seems(const medium::Air& air, Instrument& instrument,
                           geometry::ApparentPath& apparent_path) {
   Vec3<double>& at = instrument.position_m;
+  if (geometry::stands_in_water(at)) {
+    apparent_path.group_path.push_back(0);
+    apparent_path.length.push_back(0);
+    return 1;
+  }
   const auto axis = normalised(instrument.direction);
   const double height = at.z;
   const auto bent = medium::bent_axis(air, height, -axis.z);

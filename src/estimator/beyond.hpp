@@ -5,12 +5,10 @@
 
 #include "estimator/event.hpp"
 #include "estimator/world.hpp"
-#include "transport/touched.hpp"
 
 namespace photic::estimator {
 
-/// Photons that are `on` leave a world's medium in a direction, and set out in the other one. Their
-/// record of the water they touched separates them from light that never was there.
+/// Photons that are `on` leave a world's medium in a direction, and set out in the other one.
 template <class T>
 void go_beyond(const Beyond<T>& beyond, const Vec3<T>& direction, Track<T>& gone) {
   gone.colliding = Mask<T>(false);
@@ -19,8 +17,6 @@ void go_beyond(const Beyond<T>& beyond, const Vec3<T>& direction, Track<T>& gone
   photon.direction = {direction.x, direction.y, T(0) - direction.z};
   photon.path = photon.path + beyond.path;
   photon.layer = Index<T>(0);
-  const Index<T> air(static_cast<std::int32_t>(transport::Touched::air));
-  gone.touched = select(gone.touched == air, Index<T>(0), gone.touched);
 }
 
 }  // namespace photic::estimator

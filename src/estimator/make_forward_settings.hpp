@@ -12,13 +12,14 @@
 
 namespace photic::estimator {
 
-/// The air has neither forced flights nor importances, which are of depths in the water.
+/// Tools are for the water: in the air there are neither forced flights nor importances, which are
+/// of depths, and light is scored where it is scattered.
 template <class T>
 Tools<T> make_tools(const scene::Tools& s, medium::MediumKind kind) {
   Tools<T> tools;
-  tools.scores_on_the_way = s.local_forced_collisions == scene::LocalForcedCollisions::all;
   tools.at_threshold = s.at_threshold;
   if (kind == medium::MediumKind::air) return tools;
+  tools.scores_on_the_way = s.local_forced_collisions == scene::LocalForcedCollisions::all;
   tools.forced_flights = Index<T>(static_cast<std::int32_t>(s.forced_collisions));
   for (const auto& [depth_m, value] : s.importance) {
     tools.importance_depth.push_back(T(depth_m));

@@ -25,10 +25,10 @@ template <class T, class Instrument>
 geometry::Region<T> region_in(const Model& model, const geometry::Slabs& slabs,
                               const Instrument& instrument, std::size_t number) {
   const bool outside = !geometry::stands_in_water(instrument.position_m);
-  geometry::AirColumn column;
-  if (outside && !model.air_tables.empty())
-    column =
-        model.air_tables[number].view(model.other_airs.empty() ? -1 : slabs.excess_air(number));
+  geometry::OutsideColumn column;
+  if (outside && !model.columns.empty())
+    column = model.columns[number].view(
+        slabs.environments.other_outside ? slabs.excess_outside(number) : -1);
   return {outside, Index<T>(layer_of(model.medium, instrument)), column};
 }
 
@@ -39,7 +39,7 @@ geometry::Region<T> region_in(const Model& model, const geometry::Slabs& slabs,
 template <class T, class Instrument>
 double max_rounded_off(const Instrument& instrument, const medium::Medium& air) {
   const double epsilon = std::numeric_limits<Element<T>>::epsilon();
-  return 1.5 * epsilon * std::min(-instrument.position_m.z, air.air_m);
+  return 1.5 * epsilon * std::clamp(-instrument.position_m.z, 0.0, air.air_m);
 }
 
 /// Adds a model's telescopes, with their regions and the paths that are left out.

@@ -70,7 +70,8 @@ World<T> make_world(const HistorySet& set) {
     world.forward.cones.clear();
   }
   if (set.passes_to) {
-    world.part.beyond = {true, T(set.passes_to->chance), T(set.passes_to->path_m)};
+    world.part.beyond = {true, set.passes_to->fresh, T(set.passes_to->chance),
+                         T(set.passes_to->path_m)};
     world.forward.flies_on = false;  // past the surface without meeting it
   }
   return world;

@@ -20,6 +20,7 @@
 #include "medium/check.hpp"
 #include "medium/environments.hpp"
 #include "medium/film.hpp"
+#include "medium/outside_column.hpp"
 #include "medium/upside_down.hpp"
 #include "optics/data_folder.hpp"
 #include "scene/environment_values.hpp"
@@ -101,23 +102,6 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   if (std::ranges::any_of(medium.line, [](const auto& line) { return line.lifetime_ns > 0; }))
     for (const auto& line : medium.line) shape.decay_of_line.emplace_back(line.lifetime_ns, gates);
   return shape;
-}
-
-/// The heights of the laser and the telescopes [m].
-std::vector<double> heights_of(const scene::Scene& scene) {
-  std::vector<double> out{scene.source.position_m.z};
-  for (const auto& t : scene.telescope) out.push_back(t.position_m.z);
-  return out;
-}
-
-/// See Model.
-std::vector<AirTables> air_tables_of(const scene::Scene& scene, const medium::Air& air) {
-  std::vector<AirTables> out;
-  for (const double height : heights_of(scene)) {
-    const auto column = medium::column_to(air, height);
-    out.push_back({TwinTable(column.optical_depth), TwinTable(column.delay_m)});
-  }
-  return out;
 }
 
 /// The light channel number c stands for: the mean over the lines it counts, else the laser's or
@@ -207,11 +191,11 @@ Model make_model(const scene::Scene& scene) {
   auto medium = medium::build_medium(scene, library);
   check_instruments(scene, medium);
   auto air = medium::build_air(scene, medium.line);
-  auto tables = air ? air_tables_of(scene, *air) : std::vector<AirTables>{};
+  auto columns = air ? columns_to(*air, heights_of(scene)) : std::vector<ColumnTables>{};
   auto others = air && scene.has_environments() ? medium::other_airs(scene, medium.line)
                                                 : std::vector<medium::OtherAir>{};
   if (!others.empty()) {
-    medium.environments.excess_air = medium::excess_depths(others, heights_of(scene));
+    medium.environments.excess_outside = medium::excess_depths(others, heights_of(scene));
     medium.finish();
   }
   for (std::size_t l = 0; air && l < medium.line.size(); ++l)
@@ -241,7 +225,7 @@ Model make_model(const scene::Scene& scene) {
           std::move(shape),
           std::move(averaged),
           std::move(air),
-          std::move(tables),
+          std::move(columns),
           std::move(others),
           std::move(apparent_path),
           {scene.source, scene.telescope}};

@@ -13,6 +13,7 @@
 #include "medium/air.hpp"
 #include "medium/medium.hpp"
 #include "medium/other_airs.hpp"
+#include "medium/outside_column.hpp"
 #include "scene/read.hpp"
 #include "scene/scene.hpp"
 #include "tally/gates.hpp"
@@ -26,15 +27,38 @@ namespace photic::estimator {
 /// takes: fewer of the bidirectional estimator, of which each takes tens of times as long.
 std::uint64_t batch_photons(const scene::Simulation& simulation);
 
-/// A medium::AirColumn as lanes read it.
-struct AirTables {
+/// A medium::OutsideColumn as lanes read it.
+struct ColumnTables {
   TwinTable optical_depth, delay;  ///< [line]
+  double per_metre = 0;
 
-  /// `excess`: of AirColumn.
-  [[nodiscard]] geometry::AirColumn view(std::int32_t excess) const {
-    return {optical_depth.view(), delay.view(), excess};
+  /// `excess`: of OutsideColumn.
+  [[nodiscard]] geometry::OutsideColumn view(std::int32_t excess) const {
+    return {optical_depth.view(), delay.view(), excess, per_metre};
   }
 };
+/// From the surface of a medium outwards, to distances; none to those below 0, which are inside.
+template <class Outside>
+std::vector<ColumnTables> columns_to(const Outside& outside,
+                                     const std::vector<double>& distance_m) {
+  std::vector<ColumnTables> out;
+  for (const double distance : distance_m) {
+    if (distance < 0) {
+      out.emplace_back();
+      continue;
+    }
+    const auto column = medium::column_to(outside, distance);
+    out.push_back({TwinTable(column.optical_depth), TwinTable(column.delay_m), column.per_metre});
+  }
+  return out;
+}
+
+/// The heights of a scene's laser and telescopes above the surface [m].
+inline std::vector<double> heights_of(const scene::Scene& scene) {
+  std::vector<double> out{scene.source.position_m.z};
+  for (const auto& t : scene.telescope) out.push_back(t.position_m.z);
+  return out;
+}
 
 struct Model {
   /// The scene as it is simulated: with a walk_attenuation by the water, if it names none, and with
@@ -46,8 +70,9 @@ struct Model {
   tally::Shape shape;
   AveragedPhaseTables averaged;  ///< of scenes with free walks
   std::optional<medium::Air> air;
-  /// Between the sea and the laser, and each telescope; none where the air is clear.
-  std::vector<AirTables> air_tables;
+  /// Between the surface and the laser, and each telescope, where these stand outside the medium;
+  /// none where that is clear.
+  std::vector<ColumnTables> columns;
   std::vector<medium::OtherAir> other_airs;  ///< of scenes with air and environments
   geometry::ApparentPath apparent_path;
   GivenInstruments as_given;  ///< as in the scene file

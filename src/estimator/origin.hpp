@@ -21,6 +21,12 @@
 
 namespace photic::estimator {
 
+/// Returns whether any instrument of a scene stands in the water.
+inline bool any_in_water(const scene::Scene& scene) {
+  return geometry::stands_in_water(scene.source.position_m) ||
+         std::ranges::any_of(scene.telescope,
+                             [](const auto& t) { return geometry::stands_in_water(t.position_m); });
+}
 inline double way_ahead(const scene::Source& source) {
   return geometry::way_ahead(source.position_m, normalised(source.direction));
 }

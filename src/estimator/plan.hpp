@@ -25,6 +25,7 @@ struct PassesTo {
   std::size_t set;
   double chance;  ///< share of the light that does
   double path_m;  ///< the excess of its path there
+  bool fresh;     ///< also light that has not been scattered, from a laser in the water
 };
 
 /// Histories of one kind, in a world that make_world() makes of the set.

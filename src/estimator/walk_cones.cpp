@@ -82,8 +82,12 @@ double meetings(const scene::Scene& scene, const Strategy& free,
 
 WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, double deepest) {
   const scene::Simulation& asked = scene.simulation;
-  const auto strategies = make_strategies(scene, medium);
   WalkCones out;
+  if (asked.estimator != scene::Estimator::bidirectional) {  // there are no walks
+    out.telescope.resize(scene.telescope.size());
+    return out;
+  }
+  const auto strategies = make_strategies(scene, medium);
   out.free_laser = meetings(scene, strategies.free_laser, asked.free_laser_meetings);
   out.free_telescope = meetings(scene, strategies.free_telescope, asked.free_telescope_meetings);
   const Vec3<double> origin = origin_of(scene.source, medium.kind);

@@ -18,8 +18,9 @@ namespace photic::estimator {
 template <class T>
 struct Beyond {
   bool exists = false;
-  T chance{1};  ///< share of it that is
-  T path{};     ///< the excess of its path there [m]
+  bool fresh = false;  ///< also light that has not been scattered
+  T chance{1};         ///< share of it that is
+  T path{};            ///< the excess of its path there [m]
 };
 
 /// The part of a run's echo that the histories of a world make.

@@ -80,6 +80,31 @@ RefractedRay<T> refracted_ray(const T& n, const T& inverse_n, const T& dx, const
   ray.arriving = {dx * per_rise, dy * per_rise, T(1)};
   return ray;
 }
+/// The ray from a point of a medium of index n, at a depth, to a point outside at a height. Where
+/// `wanted` is false it is known to a few per cent of its angle. Into a denser medium the ray is
+/// found from the point there, which sees the other one as from the air.
+template <class T>
+struct RayThrough {
+  RefractedRay<T> ray;
+  T per_rise;  ///< 1 over the apparent rise of the point that is in the denser medium
+};
+template <class T>
+RayThrough<T> ray_through(const T& n, const T& inverse_n, bool into_denser, const T& depth,
+                          const T& height, const T& dx, const T& dy, const Mask<T>& wanted) {
+  const T &index = into_denser ? inverse_n : n, &inverse = into_denser ? n : inverse_n;
+  const T &below = into_denser ? height : depth, &above = into_denser ? depth : height;
+  const T aside_squared = dx * dx + dy * dy;
+  auto start = crossing_start(inverse, below, above, aside_squared);
+  start.error = select(wanted, start.error, T(0));  // no steps for the others
+  const T per_rise = crossing(index, below, above, aside_squared, start);
+  const auto ray = refracted_ray(index, inverse, dx, dy, aside_squared, per_rise);
+  if (!into_denser) [[likely]]
+    return {ray, per_rise};
+  return {{ray.cos_air * ray.arriving, ray.secant_water * ray.direction, ray.secant_water,
+           ray.cos_water, ray.secant_air, ray.cos_air},
+          per_rise};
+}
+
 /// The widening of a pencil of light by refraction, in its plane: the ratio of the cosines to the
 /// vertical, water's over air's; and its inverse.
 template <class T>

@@ -9,11 +9,15 @@
 
 namespace photic::geometry {
 
-/// The air straight up from the sea to an instrument; without numbers where it is clear.
-struct AirColumn {
+/// What is straight between the sea surface and an instrument on its other side: air, or water.
+/// Without numbers where it is clear.
+struct OutsideColumn {
   ShortTable optical_depth;  ///< [line]
   ShortTable delay;          ///< by how much the group path is longer than in a vacuum [m], [line]
   std::int32_t excess = -1;  ///< row of how much deeper it is in environments, of line 0; -1: none
+  /// 1 over its length, of water: points of a lens are nearer and farther than its centre. In air
+  /// that does not count. 0: it counts as equally long for all [1/m].
+  double per_metre = 0;
 
   [[nodiscard]] bool exists() const { return optical_depth.size > 0; }
 };
@@ -23,21 +27,27 @@ struct AirColumn {
 template <class T>
 struct Region {
   bool outside = false;
-  Index<T> layer{};  ///< of what stands inside
-  AirColumn air{};   ///< between the sea and what stands outside
+  Index<T> layer{};        ///< of what stands inside
+  OutsideColumn column{};  ///< to what stands outside
 
-  /// The share of a line's light that gets between there and the sea without meeting the air.
+  /// By how much the column to a point so far from the surface is longer than to the instrument: as
+  /// if all of it were stretched.
+  [[nodiscard]] T stretch(const T& distance) const {
+    return column.per_metre == 0 ? T(1) : distance * T(column.per_metre);
+  }
+  /// The share of a line's light that gets between there and the surface without a collision.
   /// `cosine`: of its direction to the vertical, above 0.
-  [[nodiscard]] T through_air(const Index<T>& line, const T& cosine) const {
-    if (!air.exists()) [[likely]]
+  [[nodiscard]] T through_column(const Index<T>& line, const T& cosine,
+                                 const T& stretch = T(1)) const {
+    if (!column.exists()) [[likely]]
       return T(1);
-    return exp_minus(gather<T>(air.optical_depth, line) / cosine);
+    return exp_minus(gather<T>(column.optical_depth, line) * stretch / cosine);
   }
   /// By how much that way is longer than in a vacuum, as group path [m].
-  [[nodiscard]] T delay(const Index<T>& line, const T& cosine) const {
-    if (!air.exists()) [[likely]]
+  [[nodiscard]] T delay(const Index<T>& line, const T& cosine, const T& stretch = T(1)) const {
+    if (!column.exists()) [[likely]]
       return T(0);
-    return gather<T>(air.delay, line) / cosine;
+    return gather<T>(column.delay, line) * stretch / cosine;
   }
 };
 

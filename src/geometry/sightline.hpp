@@ -25,6 +25,7 @@ struct Sightline {
   T index_squared{1};        ///< of the water against the instrument's medium
   T throughput{1};           ///< share of light that the surface lets pass, or reflects
   Region<T> to{};            ///< the instrument's
+  T stretch{1};              ///< of its column
   Route route = Route::direct;
 };
 
@@ -37,13 +38,9 @@ Sightline<T> sightline_through_surface(const medium::MediumView& sea, const Vec3
   const auto surface = surface::flat_surface<T>(sea, line);
   const T &n = surface.n, &inverse_n = surface.inverse_n;
   const T depth = -from.z;
-  const T dx = to.x - from.x;
-  const T dy = to.y - from.y;
-  const T aside_squared = dx * dx + dy * dy;
-  auto start = crossing_start(inverse_n, depth, to.z, aside_squared);
-  start.error = select(wanted, start.error, T(0));  // no steps for the others
-  const T per_rise = crossing(n, depth, to.z, aside_squared, start);
-  const RefractedRay<T> ray = refracted_ray(n, inverse_n, dx, dy, aside_squared, per_rise);
+  const RefractedRay<T> ray = ray_through(n, inverse_n, sea.surface.denser_outside, depth, to.z,
+                                          T(to.x - from.x), T(to.y - from.y), wanted)
+                                  .ray;
 
   Sightline<T> way;
   way.exists = wanted;
@@ -90,8 +87,10 @@ Sightline<T> sightline(const medium::MediumView& sea, const Vec3<T>& from, const
                        const Mask<T>& wanted) {
   auto way = region.outside ? sightline_through_surface(sea, from, line, to, wanted)
                             : sightline_in_water(sea, from, line, to, route);
-  if (region.air.exists()) [[unlikely]]
-    way.throughput = way.throughput * region.through_air(line, way.arriving.z);
+  if (region.column.exists()) [[unlikely]] {
+    way.stretch = region.stretch(to.z);
+    way.throughput = way.throughput * region.through_column(line, way.arriving.z, way.stretch);
+  }
   way.to = region;
   return way;
 }

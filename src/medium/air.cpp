@@ -260,7 +260,7 @@ std::vector<std::string> reported_air(const scene::Scene& scene, const Air& air)
   }
   std::vector<std::string> out{fmt::format("{} layers {}, up to {:.6g} km; above them a vacuum",
                                            air.layers(), what, top_km)};
-  if (of.refraction) {
+  if (of.refraction && scene.source.position_m.z >= 0) {
     const auto axis = normalised(scene.source.direction);
     const auto bent = bent_axis(air, scene.source.position_m.z, -axis.z);
     out.push_back(fmt::format(

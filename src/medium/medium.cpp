@@ -117,7 +117,7 @@ std::vector<double> Medium::environment_rows() const {
   add(environments.excess_part, static_cast<std::size_t>(environments.parts));
   add_rows(environments.excess_bed);
   add_rows(environments.surface);
-  add_rows(environments.excess_air);
+  add_rows(environments.excess_outside);
   add_rows(environments.film);
   add_rows(environments.film_emission);
   return out;
@@ -278,12 +278,13 @@ MediumView Medium::view() const {
                !rough || (waves.slopes.is_isotropic() && !e.other_waves),
                film_band_ >= 0,
                film.exists,
-               e.other_waves || (rough && e.other_film)};
-  e.other_air = !environments.excess_air.empty();
+               e.other_waves || (rough && e.other_film),
+               line.front().refractive_index < 1};
+  e.other_outside = !environments.excess_outside.empty();
   e.first_air = e.first_surface + (e.other_waves ? surface_rows : 0);
   e.first_film = e.first_air;
-  if (e.other_air)
-    e.first_film += static_cast<std::int32_t>(environments.excess_air.size()) / e.count;
+  if (e.other_outside)
+    e.first_film += static_cast<std::int32_t>(environments.excess_outside.size()) / e.count;
   e.first_emission = e.first_film + ways_at_film * v.lines * (film_angle_steps + 1);
   e.number = environment_rows_.table();
   e.part_phase = part_phase_.view();

@@ -41,9 +41,9 @@ struct EnvironmentsView {
   std::int32_t parts = 0;        ///< of the scattering that are more or less in some environment
   std::int32_t first_depth = 0;  ///< row of ...
   std::int32_t first_emitted = 0, first_part = 0, first_bed = 0, first_surface = 0;
-  bool other_waves = false;  ///< some have other waves or whitecaps
-  bool other_film = false;   ///< some have another film of oil
-  bool other_air = false;    ///< some have another air between the sea and instruments
+  bool other_waves = false;    ///< some have other waves or whitecaps
+  bool other_film = false;     ///< some have another film of oil
+  bool other_outside = false;  ///< some have another air between the sea and instruments
   std::int32_t first_air = 0, first_film = 0, first_emission = 0;
   Table number;           ///< [row][environment]
   IndexTable part_phase;  ///< table in the medium's phases, [line][layer][part]
@@ -124,7 +124,7 @@ struct MediumView {
   /// True if the encounters of walks at the surface, or on their way there from the instrument,
   /// count in environments.
   [[nodiscard]] bool other_entry() const {
-    return surface.differs_in_environments || environments.other_air;
+    return surface.differs_in_environments || environments.other_outside;
   }
   template <class I>
   I at(const I& line, const I& layer) const {
@@ -207,7 +207,7 @@ struct MediumView {
     return I(environments.first_bed) + line * I(bed_angles) + angle;
   }
   /// The excess depth of the air straight up from the sea to an instrument: 0 is the laser.
-  [[nodiscard]] std::int32_t excess_air(std::size_t instrument) const {
+  [[nodiscard]] std::int32_t excess_outside(std::size_t instrument) const {
     return environments.first_air + static_cast<std::int32_t>(instrument) * lines;
   }
   /// The loss of light that goes on at a film by a way (surface/film_crossing.hpp), as an optical
@@ -273,7 +273,7 @@ struct EnvironmentTables {
   std::vector<double> surface;  ///< [environment][row], see SurfaceRow; none: all as the medium's
   /// The excess depth of the air from the sea to instruments, [environment][instrument][line];
   /// none: clear, or as the scene's in all.
-  std::vector<double> excess_air;
+  std::vector<double> excess_outside;
   std::vector<std::int32_t> part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
 

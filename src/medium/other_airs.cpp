@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/error.hpp"
-#include "medium/upside_down.hpp"
+#include "medium/outside_column.hpp"
 #include "medium/variations.hpp"
 
 namespace photic::medium {

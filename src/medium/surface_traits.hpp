@@ -16,6 +16,7 @@ struct SurfaceTraits {
   bool emits = false;                    ///< light at wavelengths of its own that a channel counts
   bool absorbs = false;                  ///< a part of the light that comes to it
   bool differs_in_environments = false;  ///< so that meetings with it are to be known
+  bool denser_outside = false;           ///< the medium beyond it is the denser one
 };
 
 }  // namespace photic::medium

@@ -4,21 +4,10 @@
 #include <iterator>
 
 #include "medium/film.hpp"
+#include "medium/outside_column.hpp"
 
 namespace photic::medium {
 namespace {
-
-/// The integral of a coefficient of line l up to a height.
-double integral(const Air& air, const std::vector<double>& coefficient, std::size_t l,
-                double height_m) {
-  const std::size_t layers = air.layers();
-  double sum = 0;
-  for (std::size_t k = 0; k < layers; ++k) {
-    const double within = std::min(height_m, air.height_m[k + 1]) - air.height_m[k];
-    sum += coefficient[l * layers + k] * std::max(0.0, within);
-  }
-  return sum;
-}
 
 /// The sea's surface from the other side: what rises there falls, seen from here, and whitecaps
 /// reflect from below what they do from above.
@@ -35,7 +24,7 @@ void add_surface(const Medium& sea, Medium& medium) {
 }  // namespace
 
 Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Medium& sea,
-                   double highest_m, double end_m) {
+                   double counts_to_m, double end_m) {
   Medium medium;
   medium.kind = MediumKind::air;
   medium.line = sea.line;
@@ -71,30 +60,12 @@ Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Me
   }
   add_surface(sea, medium);
   add_film_from_air(sea, medium);
-  medium.scattering_to_instruments = integral(air, air.b, 0, highest_m);
+  medium.scattering_to_instruments = integral_to(air.height_m, air.b, 0, counts_to_m);
   medium.depth_to_instruments =
-      medium.scattering_to_instruments + integral(air, air.a, 0, highest_m);
+      medium.scattering_to_instruments + integral_to(air.height_m, air.a, 0, counts_to_m);
   if (!others.empty()) add_other_airs(air, others, sea, medium);
   medium.finish();
   return medium;
-}
-
-AirColumn column_to(const Air& air, double height_m) {
-  AirColumn out;
-  for (std::size_t l = 0; l < air.a.size() / air.layers(); ++l) {
-    out.optical_depth.push_back(integral(air, air.a, l, height_m) +
-                                integral(air, air.b, l, height_m));
-    out.delay_m.push_back(delay_of(air, l).to(height_m));
-  }
-  return out;
-}
-
-AirDelay delay_of(const Air& air, std::size_t line) {
-  std::vector<double> to_edge{0};
-  for (std::size_t k = 0; k < air.layers(); ++k)
-    to_edge.push_back(to_edge.back() + (air.group_index[line * air.layers() + k] - 1) *
-                                           (air.height_m[k + 1] - air.height_m[k]));
-  return {air.height_m, to_edge};
 }
 
 void count_against_vacuum(const Air& air, Medium& sea) {

@@ -13,18 +13,10 @@ namespace photic::medium {
 inline constexpr double min_attenuation = 1e-20;
 
 /// Light of the sea's lines is scattered there and absorbed, but not converted. Above the air there
-/// is nothing up to the height `end`, where light ends. `highest`: that of the highest instrument;
-/// `others`: other_airs() of the scene.
+/// is nothing up to the height `end`, where light ends. `counts_to`: the height up to which light
+/// that the air scatters may come to a telescope; `others`: other_airs() of the scene.
 Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Medium& sea,
-                   double highest_m, double end_m);
-
-/// The air straight up from the sea to a height, for each line.
-struct AirColumn {
-  std::vector<double> optical_depth;
-  std::vector<double> delay_m;  ///< by how much the group path is longer than in a vacuum
-};
-AirColumn column_to(const Air& air, double height_m);
-AirDelay delay_of(const Air& air, std::size_t line);
+                   double counts_to_m, double end_m);
 
 /// Takes the group index of the water, which is relative to air, relative to vacuum: n_g n_a + n
 /// (n_ga - n_a), with the indices of the lowest air [D]. Its index stays relative to that air.

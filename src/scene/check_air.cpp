@@ -14,18 +14,6 @@ namespace {
 /// instrument and what is near it alone.
 constexpr double max_of_air_index = 1.001, max_bent_deg = 60;
 
-/// Light that comes to the sea from above, and goes back there, is all that the air is known for.
-void check_what_is_below(const Scene& scene, Findings& findings) {
-  const auto check = [&](const std::string& path, double z) {
-    if (findings.good({path}) && z < 0)
-      findings.add(path, "instruments in the water cannot be combined with air yet",
-                   "put it into the air (z > 0), or leave [atmosphere] out");
-  };
-  check("source.position_m", scene.source.position_m.z);
-  for (std::size_t i = 0; i < scene.telescope.size(); ++i)
-    check(below(below("telescope", i), "position_m"), scene.telescope[i].position_m.z);
-}
-
 /// Light is scattered close to a lens in the air, by angles that differ over the lens.
 void check_reception_in_air(const Scene& scene, Findings& findings) {
   if (scene.simulation.reception == Reception::overlap && findings.good({"simulation.reception"}))
@@ -147,10 +135,13 @@ void check_gases(const Atmosphere& air, Findings& findings) {
   }
 }
 
-/// Light that is bent is known along the axes of instruments that look down.
+/// Light that is bent is known along the axes of instruments in the air that look down.
 void check_refraction(const Scene& scene, Findings& findings) {
-  const auto check = [&](const std::string& path, const Vec3<double>& direction) {
-    if (!findings.good({path}) || dot(direction, direction) == 0) return;
+  const auto check = [&](const std::string& of, const Vec3<double>& position,
+                         const Vec3<double>& direction) {
+    const std::string path = below(of, "direction");
+    if (!findings.good({path, below(of, "position_m")}) || position.z < 0) return;
+    if (dot(direction, direction) == 0) return;
     if (-normalised(direction).z < std::cos(max_bent_deg * radian_per_degree))
       findings.add(
           path,
@@ -159,9 +150,9 @@ void check_refraction(const Scene& scene, Findings& findings) {
               max_bent_deg),
           "look down more steeply, or leave atmosphere.refraction out");
   };
-  check("source.direction", scene.source.direction);
+  check("source", scene.source.position_m, scene.source.direction);
   for (std::size_t i = 0; i < scene.telescope.size(); ++i)
-    check(below(below("telescope", i), "direction"), scene.telescope[i].direction);
+    check(below("telescope", i), scene.telescope[i].position_m, scene.telescope[i].direction);
   for (std::size_t i = 0; i < scene.atmosphere->layer.size(); ++i) {
     const std::string path = below(below("atmosphere.layer", i), "refractive_index");
     if (findings.good({path}) && scene.atmosphere->layer[i].refractive_index > max_of_air_index)
@@ -179,7 +170,6 @@ void check_refraction(const Scene& scene, Findings& findings) {
 void check_atmosphere(const Scene& scene, Findings& findings) {
   if (!scene.atmosphere) return;
   const Atmosphere& air = *scene.atmosphere;
-  check_what_is_below(scene, findings);
   check_reception_in_air(scene, findings);
   if (findings.good({"atmosphere.aerosol", "atmosphere.visibility_km",
                      "atmosphere.aerosol_optical_depth_550"}))

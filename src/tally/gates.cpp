@@ -37,12 +37,12 @@ struct WaysInAir {
 };
 /// Bends a scale at the edges of the air's layers, from the sea up.
 void add_air(const WaysInAir& ways, PathScale& scale) {
-  if (!ways.out.exists()) return;
+  if (!ways.out.exists() && !ways.back.exists()) return;
   const double side = ways.rise < 0 ? -1 : 1;
   double& beside_surface = ways.rise < 0 ? scale.slope_before : scale.slope_after;
   const double in_vacuum = beside_surface;
   double* slope = &beside_surface;
-  const auto& edges = ways.out.height_m;
+  const auto& edges = (ways.out.exists() ? ways.out : ways.back).height_m;
   scale.bends.reserve(edges.size());
   for (std::size_t k = 1; k < edges.size(); ++k) {
     const double thickness = edges[k] - edges[k - 1];
@@ -147,7 +147,11 @@ PathScale Gates::depth_scale(std::size_t telescope, const medium::Line& back) co
   scale.knee_path = out.to_surface + home.to_surface - too_long_.both_paths(telescope);
   scale.slope_before = out.per_depth_in_air + home.per_depth_in_air;
   scale.slope_after = out.per_depth_in_water + home.per_depth_in_water;
-  add_air({laser_.air_delay, back.air_delay, -1 / normalised(source_.direction).z,
+  const medium::AirDelay none;  // the axis of an instrument in the water does not come there
+  const auto of = [&](const auto& instrument, const medium::Line& line) -> const medium::AirDelay& {
+    return geometry::stands_in_water(instrument.position_m) ? none : line.air_delay;
+  };
+  add_air({of(source_, laser_), of(lens, back), -1 / normalised(source_.direction).z,
            -1 / normalised(lens.direction).z, -1},
           scale);
   return scale;

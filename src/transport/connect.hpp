@@ -40,7 +40,7 @@ T paraxial_rise(const medium::MediumView& sea, const instrument::Telescope<T>& t
 template <class T>
 Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                 const Vec3<T>& position, const Index<T>& line) {
-  if (telescope.inside) return Mask<T>(true);
+  if (telescope.inside || sea.surface.denser_outside) return Mask<T>(true);
   // The true angle is never below the paraxial one.
   return telescope.may_see_beyond(telescope.position.x - position.x,
                                   telescope.position.y - position.y,
@@ -52,7 +52,7 @@ template <class T>
 Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                 const Vec3<T>& position, const Index<T>& line,
                 const instrument::PlanePoint<T>& lens) {
-  if (telescope.inside) return Mask<T>(true);
+  if (telescope.inside || sea.surface.denser_outside) return Mask<T>(true);
   return may_see_by_ray(telescope, lens, telescope.position.x - position.x,
                         telescope.position.y - position.y,
                         paraxial_rise(sea, telescope, position, line));
@@ -71,16 +71,10 @@ Connection<T> connect_through_surface(const geometry::Slabs& sea,
   const T &n = surface.n, &inverse_n = surface.inverse_n;
   const T depth = geometry::depth_of(at.position);
   const T height = telescope.position.z;
-  const T dx = telescope.position.x - at.position.x;
-  const T dy = telescope.position.y - at.position.y;
-  const T aside_squared = dx * dx + dy * dy;
-
-  auto start = geometry::crossing_start(inverse_n, depth, height, aside_squared);
-  start.error = select(may_be_seen, start.error, T(0));  // no steps for the others
-  const T per_rise = geometry::crossing(n, depth, height, aside_squared, start);
-
-  const geometry::RefractedRay<T> ray =
-      geometry::refracted_ray(n, inverse_n, dx, dy, aside_squared, per_rise);
+  const auto [ray, per_rise] =
+      geometry::ray_through(n, inverse_n, sea.surface.denser_outside, depth, height,
+                            T(telescope.position.x - at.position.x),
+                            T(telescope.position.y - at.position.y), may_be_seen);
   const auto& [direction, arriving, secant_air, cos_air, secant_water, cos_water] = ray;
   way.direction = direction;
   const T towards = -dot(arriving, telescope.axis);
@@ -196,10 +190,10 @@ Connection<T> connect(const geometry::Slabs& sea, const instrument::Telescope<T>
                       geometry::Route route, const Mask<T>& may_be_seen) {
   if (!region.outside) return connect_in_water(sea, telescope, region.layer, at, line, route);
   auto way = connect_through_surface(sea, telescope, at, line, may_be_seen);
-  if (region.air.exists()) [[unlikely]] {
-    const auto& air = region.air;
-    way.optical_depth = way.optical_depth + gather<T>(air.optical_depth, line) * way.secant_air;
-    way.path = way.path + gather<T>(air.delay, line) * way.secant_air;
+  if (region.column.exists()) [[unlikely]] {
+    const auto& column = region.column;
+    way.optical_depth = way.optical_depth + gather<T>(column.optical_depth, line) * way.secant_air;
+    way.path = way.path + gather<T>(column.delay, line) * way.secant_air;
   }
   return way;
 }

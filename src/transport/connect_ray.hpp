@@ -15,7 +15,7 @@ T longer_in_air(const instrument::Telescope<T>& telescope, const geometry::Sight
                 const Index<T>& line, const instrument::PlanePoint<T>& lens) {
   if (!way.to.outside) return T(0);
   return longer_way(telescope, way.crossing, lens, way.length_air) +
-         way.to.delay(line, way.arriving.z);
+         way.to.delay(line, way.arriving.z, way.stretch);
 }
 
 /// The path of its part in the water, by a segment from a place there.

@@ -24,9 +24,10 @@ template <class T>
 T depth_to_lens(const geometry::Slabs& sea, const geometry::Region<T>& region, const Index<T>& line,
                 const FromSurface<T>& way) {
   if (region.outside) {
-    if (!region.air.exists()) [[likely]]
+    if (!region.column.exists()) [[likely]]
       return T(0);
-    return gather<T>(region.air.optical_depth, line) / way.rising_cosine();
+    return gather<T>(region.column.optical_depth, line) * region.stretch(way.height()) /
+           way.rising_cosine();
   }
   return geometry::optical_depths(sea, from_surface_in_water(sea, region, line, way)).all;
 }
@@ -37,13 +38,15 @@ T path_to_telescope(const medium::MediumView& sea, const instrument::Telescope<T
                     const instrument::PlanePoint<T>& lens, const Vec3<T>& at,
                     const FromSurface<T>& way) {
   if (region.outside)
-    return longer_way(telescope, at, lens, way.length) + region.delay(line, way.rising_cosine());
+    return longer_way(telescope, at, lens, way.length) +
+           region.delay(line, way.rising_cosine(), region.stretch(way.height()));
   return path_within(sea, telescope, at, from_surface_in_water(sea, region, line, way), lens);
 }
 
 /// `meeting`: at the surface; known where environments have other surfaces.
 template <class T>
 struct SurfaceConnection : RayConnection<T> {
+  T stretch{1};  ///< of the column to a telescope outside
   surface::FacetHit<T> meeting;
 };
 /// `direction` and `in_water` are those to the surface.
@@ -210,6 +213,7 @@ SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
       per_solid_angle * telescope.area() * way.sight.cos_off_axis / (way.length * way.length),
       T(0));
   out.optical_depth = depth_to_lens(sea, region, photon.line, way);
+  out.stretch = region.stretch(way.height());
   if (!region.outside) out.in_water = from_surface_in_water(sea, region, photon.line, way);
   out.path = path_to_telescope(sea, telescope, region, photon.line, lens, photon.position, way);
   return out;
@@ -252,6 +256,7 @@ SurfaceConnection<T> connect_in_line(const geometry::Slabs& sea,
                               surface::gaussian_along(axes.deviation, s),
                           T(0));
   out.optical_depth = depth_to_lens(sea, region, photon.line, way);
+  out.stretch = region.stretch(way.height());
   if (!region.outside) out.in_water = from_surface_in_water(sea, region, photon.line, way);
   out.path = path_to_telescope(sea, telescope, region, photon.line, hit.lens, photon.position, way);
   return out;

@@ -19,10 +19,11 @@ Mask<T> come_down(const geometry::Region<T>& from, Photon<T>& photon) {
   const Vec3<T> there = photon.position + distance * photon.direction;
   photon.position = select(downward, Vec3<T>{there.x, there.y, T(0)}, photon.position);
   photon.path = photon.path + select(downward, distance, T(0));
-  if (from.air.exists()) [[unlikely]] {
+  if (from.column.exists()) [[unlikely]] {
     const T cosine = select(downward, T(0) - photon.direction.z, T(1));
     photon.path = photon.path + select(downward, from.delay(photon.line, cosine), T(0));
-    photon.weight = photon.weight * select(downward, from.through_air(photon.line, cosine), T(1));
+    photon.weight =
+        photon.weight * select(downward, from.through_column(photon.line, cosine), T(1));
   }
   return downward;
 }

@@ -91,6 +91,8 @@ struct FromSurface {
 
   /// The depth of the point of the lens, if it is in the water.
   [[nodiscard]] T depth() const { return T(0) - direction.z * length; }
+  /// The distance from the surface of one that stands outside.
+  [[nodiscard]] T height() const { return direction.z * length; }
   /// To the vertical, of a way up; of others 1.
   [[nodiscard]] T rising_cosine() const { return select(direction.z > T(0), direction.z, T(1)); }
 };

@@ -63,7 +63,7 @@ void detect(const World<T>& world, const transport::Photon<T>& photon, const Ind
                                                to_lens(world, t, photon, point, distance), point);
     const lanes::LaneScores<T> scores{Index<T>(static_cast<std::int32_t>(t)),
                                       world.instruments.path_to_origin[t],
-                                      transport::component_of<T>(world.slabs, photon.line, touched),
+                                      transport::light_of<T>(world.slabs, photon.line, touched),
                                       photon.order,
                                       depth,
                                       photon.path + way,
@@ -135,7 +135,8 @@ struct AnalogSteps {
     const Mask<T> last = p.photon.order == Index<T>(world.part.last_order);
     if (world.part.last_order > 0) book_out(p, last, ledger.cut_by_order);
     const Mask<T> bed = surface::on_bed<T>(world.slabs, p.photon.layer);
-    const Mask<T> first = p.photon.order == Index<T>(0);
+    const Index<T> air(static_cast<std::int32_t>(transport::Touched::air));
+    const Mask<T> first = (p.photon.order == Index<T>(0)) | (p.touched == air);
     const Index<T> fresh(static_cast<std::int32_t>(touched_at_birth(world.slabs)));
     p.touched =
         transport::touched_at<T>(world.slabs, p.photon.layer, select(first, fresh, p.touched));

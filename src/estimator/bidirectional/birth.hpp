@@ -64,8 +64,8 @@ Birth<T> birth_in_water(const medium::MediumView& sea, const geometry::Region<T>
   birth.photon.path = distance;
   birth.photon.weight =
       surface::flat_surface<T>(sea, line).transmittance(-ray.direction.z, cos_air);
-  if (region.air.exists()) [[unlikely]] {
-    birth.photon.weight = birth.photon.weight * region.through_air(line, cos_air);
+  if (region.column.exists()) [[unlikely]] {
+    birth.photon.weight = birth.photon.weight * region.through_column(line, cos_air);
     birth.photon.path = distance + region.delay(line, cos_air);
   }
   birth.spread.through_surface = true;

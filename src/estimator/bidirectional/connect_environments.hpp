@@ -26,7 +26,7 @@ void Connections<T>::complete_entry(const Index<T>& line, const geometry::Sightl
   if (!way.to.outside) return;
   if (sea_.surface.differs_in_environments)
     completion_.surface.meet(sea_, meeting_along(sea_, line, way));
-  add_air(way.to, line, way.arriving.z, completion_.ways);
+  add_column(way.to, line, way.arriving.z, way.stretch, completion_.ways);
 }
 /// By a facet to a telescope in the water.
 template <class T>

@@ -124,11 +124,11 @@ SurfaceEntry<T> entry_at(const Instruments<T>& instruments, std::int32_t instrum
 template <class T>
 SurfaceEntry<T> behind_air(const geometry::Region<T>& region, const Index<T>& line,
                            SurfaceEntry<T> entry) {
-  if (!region.air.exists()) [[likely]]
+  if (!region.column.exists()) [[likely]]
     return entry;
   const Mask<T> down = entry.outside.z < T(0);
   const T cosine = select(down, T(0) - entry.outside.z, T(1));
-  entry.weight = entry.weight * region.through_air(line, cosine);
+  entry.weight = entry.weight * region.through_column(line, cosine);
   entry.path = entry.path + region.delay(line, cosine);
   return entry;
 }

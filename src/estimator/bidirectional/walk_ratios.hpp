@@ -32,9 +32,9 @@ class WalkRatios {
   /// They have come from their instrument to the surface, under a cosine to the vertical.
   PHOTIC_APART void came_down(const medium::MediumView& sea, const geometry::Region<T>& from,
                               Index<T> line, T cosine, Index<T> slot, Mask<T> mask) {
-    if (!from.outside || !sea.environments.other_air) return;
+    if (!from.outside || !sea.environments.other_outside) return;
     Terms<T> ways;
-    add_air(from, line, cosine, ways);
+    add_column(from, line, cosine, T(1), ways);
     pass(sea, at_surface_, ways, slot, mask);
   }
   /// They have flown so before their first ray begins.

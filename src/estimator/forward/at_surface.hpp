@@ -37,7 +37,7 @@ void score_from_surface(const World<T>& world, const ForwardTracks<T>& t, const 
     if (world.slabs.surface.differs_in_environments)
       completion.surface.meet(world.slabs, way.meeting);
     if (group.region.outside)
-      add_air(group.region, photon.line, way.direction.z, completion.ways);
+      add_column(group.region, photon.line, way.direction.z, way.stretch, completion.ways);
     else
       completion.pass(world.slabs, way.in_water);
   };

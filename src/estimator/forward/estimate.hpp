@@ -175,7 +175,9 @@ template <class T>
 void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sources<T>& from,
                    const transport::Connection<T>& way, Completion<T>& completion) {
   completion.pass_flat(world.slabs, way.in_water, way.direction);
-  add_air_by_flat_surface(world.slabs, group.region, from.line, way.direction, completion.ways);
+  add_column_by_flat_surface(world.slabs, group.region, from.line, way.direction,
+                             group.region.stretch(in_space(group.widest, from.lens).z),
+                             completion.ways);
 }
 /// The same by a rough surface.
 template <class T>
@@ -183,7 +185,8 @@ void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sourc
                    const transport::WavesConnection<T>& way, Completion<T>& completion) {
   completion.pass(world.slabs, way.in_water);
   if (group.region.outside)
-    add_air(group.region, from.line, way.onward.rising_cosine(), completion.ways);
+    add_column(group.region, from.line, way.onward.rising_cosine(),
+               group.region.stretch(way.onward.height()), completion.ways);
   else
     completion.pass(world.slabs, transport::from_surface_in_water(world.slabs, group.region,
                                                                   from.line, way.onward));

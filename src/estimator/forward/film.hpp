@@ -57,7 +57,8 @@ void score_film(const World<T>& world, const ForwardTracks<T>& t, std::size_t g,
       completion.surface.meet(world.slabs,
                               surface::meeting_by_emission(world.slabs.waves, film.at.normal));
     if (group.region.outside)
-      add_air(group.region, line, way.rising_cosine(), completion.ways);
+      add_column(group.region, line, way.rising_cosine(), group.region.stretch(way.height()),
+                 completion.ways);
     else
       completion.pass(world.slabs,
                       transport::from_surface_in_water(world.slabs, group.region, line, way));

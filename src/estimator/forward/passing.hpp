@@ -16,14 +16,16 @@ template <class T>
 using Leave = std::function<void(ForwardTracks<T>& gone, std::int32_t copy)>;
 
 /// Calls `leave` for the photons of a mask whose light goes on in the other medium, in a direction
-/// and with a weight. Photons not scattered yet are left out: laser light straight through the air
-/// sets out in the water by itself. `meeting`: of the event.
+/// and with a weight. Photons not scattered yet go on from a laser in the water alone: laser light
+/// straight through the air sets out in the water by itself. `meeting`: of the event.
 template <class T>
 void pass_surface(const World<T>& world, const ForwardTracks<T>& t, const Mask<T>& mask,
                   const Vec3<T>& direction, const T& weight, std::uint32_t meeting,
                   const Leave<T>& leave) {
   if (!world.part.beyond.exists) return;
-  Mask<T> passes = mask & (t.photon.order > Index<T>(0));
+  Mask<T> passes = mask;
+  if (!world.part.beyond.fresh) [[likely]]
+    passes = passes & (t.photon.order > Index<T>(0));
   if (!any(passes)) return;
   passes = passes & (uniforms(t.place, passing_blocks[meeting])[0] < world.part.beyond.chance);
   if (!any(passes)) return;
@@ -31,6 +33,7 @@ void pass_surface(const World<T>& world, const ForwardTracks<T>& t, const Mask<T
   gone.on = passes;
   gone.photon.weight = weight / world.part.beyond.chance;
   gone.photon.analog_weight = T(1);
+  gone.touched = transport::touched_beyond<T>(world.slabs, gone.photon.order, gone.touched);
   go_beyond(world.part.beyond, direction, gone);
   leave(gone, static_cast<std::int32_t>(passing_blocks[meeting]));
 }

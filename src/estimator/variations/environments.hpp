@@ -200,23 +200,24 @@ void add_flat_film(const medium::MediumView& sea, const geometry::Segment<T>& s,
     add_flat_film(sea, {s.line, Index<T>(back_into_water), T(abs(direction.z))}, ways);
 }
 
-/// The air between the sea and an instrument in a region; `cosine`: of the light's direction there
-/// to the vertical, above 0.
+/// The column between the surface and a point of an instrument in a region, stretched so much;
+/// `cosine`: of the light's direction there to the vertical, above 0.
 template <class T>
-void add_air(const geometry::Region<T>& region, const Index<T>& line, const T& cosine,
-             Terms<T>& ways) {
-  if (region.air.excess < 0) return;
-  ways.add(Index<T>(region.air.excess) + line, T(1) / cosine);
+void add_column(const geometry::Region<T>& region, const Index<T>& line, const T& cosine,
+                const T& stretch, Terms<T>& ways) {
+  if (region.column.excess < 0) return;
+  ways.add(Index<T>(region.column.excess) + line, stretch / cosine);
 }
 /// The same of light that goes through the flat surface, by its direction in the water.
 template <class T>
-void add_air_by_flat_surface(const medium::MediumView& sea, const geometry::Region<T>& region,
-                             const Index<T>& line, const Vec3<T>& direction, Terms<T>& ways) {
+void add_column_by_flat_surface(const medium::MediumView& sea, const geometry::Region<T>& region,
+                                const Index<T>& line, const Vec3<T>& direction, const T& stretch,
+                                Terms<T>& ways) {
   using std::abs;
-  if (region.air.excess < 0) return;
+  if (region.column.excess < 0) return;
   const Vec3<T> rising{direction.x, direction.y, T(abs(direction.z))};
   const auto split = surface::flat_surface<T>(sea, line).from_below(rising);
-  add_air(region, line, split.transmitted.z, ways);
+  add_column(region, line, split.transmitted.z, stretch, ways);
 }
 
 /// A collision of light of a line: it is converted into another line, or from it on the way back

@@ -56,9 +56,9 @@ struct Ratios {
   PHOTIC_APART PHOTIC_FLATTEN void came_down(const medium::MediumView& sea,
                                              geometry::Region<T> region, Index<T> line,
                                              Vec3<T> direction, Mask<T> mask) {
-    if (region.air.excess < 0) return;
+    if (region.column.excess < 0) return;
     terms.clear();
-    add_air(region, line, T(T(0) - direction.z), terms);
+    add_column(region, line, T(T(0) - direction.z), T(1), terms);
     pass(sea, mask);
   }
   /// A film has emitted the light of those of a mask.

@@ -52,9 +52,11 @@ std::string text_of(const Plan& plan) {
 }
 
 /// The plan of a scene by an estimator, or that there is none.
-std::string plan_of(const std::filesystem::path& file, const std::string& estimator) {
+std::string plan_of(const std::filesystem::path& file, const std::string& estimator,
+                    std::vector<scene::Override> more = {}) {
   try {
-    const auto scene = scene::read_scene(file.string(), {"simulation.estimator=" + estimator});
+    more.push_back({"simulation.estimator=" + estimator});
+    const auto scene = scene::read_scene(file.string(), more);
     const Model model = make_model(scene.scene);
     return text_of(make_plan(model));
   } catch (const InputError&) {
@@ -150,6 +152,45 @@ TEST(Plan, OfEveryScene) {
     EXPECT_EQ(plan_of(entry.path(), "analog"), plans->second.analog);
   }
   EXPECT_EQ(files.size(), plans_of_scenes.size());
+}
+
+// Under air light sets out where the laser stands, and walks stay in the water if any instrument
+// stands there. Seen red: with light of the laser that sets out in the air.
+TEST(Plan, OfInstrumentsInTheWater) {
+  const std::filesystem::path file = PHOTIC_SOURCE_DIR "/scenes/airborne-high.toml";
+  const scene::Override times{"gates={ start_ns = 0, stop_ns = 100, step_ns = 10 }"};
+  const auto plan = [&](const std::string& estimator, const std::string& where) {
+    return plan_of(file, estimator, {times, {where}});
+  };
+  const std::string laser = "source.position_m=[0, 0, -1]",
+                    telescope = "telescope.0.position_m=[0, 0, -1]";
+  const auto sets = [](const std::string& arrivals) {
+    return "1: histories in air, draws air, scores all" + arrivals + ", all to 2\n";
+  };
+  const std::string& by_air = air.forward;
+  const auto line = [](const std::string& text, std::size_t number) {
+    std::size_t at = 0;
+    for (; number > 0; --number) at = text.find('\n', at) + 1;
+    return text.substr(at, text.find('\n', at) + 1 - at);
+  };
+  EXPECT_EQ(plan("forward", telescope), by_air);
+  EXPECT_EQ(plan("forward", laser), line(by_air, 0) + sets(", arrivals alone") + line(by_air, 2));
+  for (const auto& where : {laser, telescope}) {
+    const std::string arrivals = where == laser ? ", arrivals alone" : "";
+    EXPECT_EQ(
+        plan("bidirectional", where),
+        "0: walks in water, draws own, scores all, in ledger\n"
+        "1: histories in water, draws beside water, scores none, a share to 2\n"
+        "2: histories in air, draws beside air, scores all" +
+            arrivals +
+            ", all to 3\n"
+            "3: histories in water, draws beside water, scores all, arrivals alone, a share to "
+            "2\n");
+  }
+  EXPECT_EQ(plan("analog", telescope), air.analog);
+  EXPECT_EQ(plan("analog", laser),
+            "0: analog in air, draws air, scores all, arrivals alone, in ledger, all to 1\n"
+            "1: analog in water, draws own, scores all, in ledger, a share to 0\n");
 }
 
 }  // namespace

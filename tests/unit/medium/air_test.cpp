@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "medium/upside_down.hpp"
+#include "medium/outside_column.hpp"
 #include "optics/air_library.hpp"
 #include "optics/air_molecules.hpp"
 #include "unit/medium/scenes.hpp"

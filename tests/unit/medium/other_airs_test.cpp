@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "medium/outside_column.hpp"
 #include "medium/upside_down.hpp"
 #include "unit/medium/alike.hpp"
 #include "unit/medium/scenes.hpp"

@@ -112,7 +112,7 @@ scene::Scene air_scene(const std::string& surface, const std::string& environmen
       test::simulation(estimator == "forward" ? 20000 : 2200, 5,
                        estimator == "forward" ? "" : "walks = 3", estimator));
 }
-const std::string other_air =
+const std::string other_outside =
     "[[environment]]\nset = { \"atmosphere.layer.0.iop.0.b_per_m\" = 0.05 }\n";
 
 const std::string flat = "model = \"flat\"";
@@ -129,8 +129,8 @@ std::vector<scene::Scene> bidirectional_scenes() {
           bed_scene(name, "walks = 3\nmax_order = 3\n" + few_free_walks, beds),
           oil_scene("", flat, test::submerged_telescope),
           oil_scene(clean, waves),
-          air_scene(flat, other_air, name),
-          air_scene(waves, other_air, name)};
+          air_scene(flat, other_outside, name),
+          air_scene(waves, other_outside, name)};
 }
 
 /// All of the forward estimator's tools at once.

@@ -201,13 +201,13 @@ TEST(RoughSurface, IsReciprocal) {
   int lit = 0;
   for (int i = 0; i < 500; ++i) {
     const auto air = down(80 * random.uniform(), 360 * random.uniform());
-    const auto other_air = up(80 * random.uniform(), 360 * random.uniform());
+    const auto other_outside = up(80 * random.uniform(), 360 * random.uniform());
     const auto water = down(45 * random.uniform(), 360 * random.uniform());
     const double in = surface.density(true, false, air, water) / (n * n * -water.z);
     const double out = surface.density(false, false, -water, -air) / -air.z;
     EXPECT_NEAR(in, out, 1e-12 * in);
-    const double there = surface.density(true, true, air, other_air) / other_air.z;
-    const double back = surface.density(true, true, -other_air, -air) / -air.z;
+    const double there = surface.density(true, true, air, other_outside) / other_outside.z;
+    const double back = surface.density(true, true, -other_outside, -air) / -air.z;
     EXPECT_NEAR(there, back, 1e-12 * there);
     const double below = surface.density(false, true, -water, down(20)) / -down(20).z;
     const double below_back = surface.density(false, true, up(20), water) / -water.z;

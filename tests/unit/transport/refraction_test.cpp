@@ -84,6 +84,32 @@ TEST(CrossingTangent, ObeysSnellOverTwelveOrdersOfMagnitude) {
 
 TEST(CrossingTangent, OfAPointStraightBelowIsZero) { EXPECT_EQ(tangent_in_air(3, 12, 0), 0); }
 
+// From the air into water, too: light goes as Snell's law has it, and comes to the point it is to
+// come to. Seen red: RED_MARK
+TEST(RayThrough, LeadsBothWays) {
+  test::Random random(32);
+  for (int i = 0; i < 20000; ++i) {
+    const double depth = random.scale(1e-3, 1e3), height = random.scale(1e-3, 1e3);
+    const double x = random.scale(1e-3, 1e3), y = random.scale(1e-3, 1e3);
+    for (const bool into_denser : {false, true}) {
+      const double n = into_denser ? 1 / index : index;
+      const auto [ray, per_rise] =
+          geometry::ray_through(n, 1 / n, into_denser, depth, height, x, y, true);
+      const Vec3<double> outside = ray.cos_air * ray.arriving;
+      ASSERT_NEAR(length(ray.direction), 1, 1e-12);
+      ASSERT_NEAR(length(outside), 1, 1e-12);
+      ASSERT_NEAR(n * ray.direction.x, outside.x, 1e-12);
+      ASSERT_NEAR(n * ray.direction.y, outside.y, 1e-12);
+      ASSERT_NEAR(ray.secant_water * ray.direction.z, 1, 1e-12);
+      ASSERT_NEAR(ray.cos_water * ray.secant_water, 1, 1e-12);
+      ASSERT_NEAR(ray.secant_air * outside.z, 1, 1e-12);
+      const double aside = depth * ray.secant_water * ray.direction.x + height * ray.arriving.x;
+      ASSERT_NEAR(aside / x, 1, 1e-9) << depth << " " << height << " " << x << " " << y;
+      ASSERT_GT(per_rise, 0);
+    }
+  }
+}
+
 // The series leaves out no more than it says. Seen red: without its last term; with share + 1 for
 // share - 1.
 TEST(CrossingStart, KnowsItsError) {
