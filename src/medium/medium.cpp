@@ -281,8 +281,8 @@ MediumView Medium::view() const {
                e.other_waves || (rough && e.other_film),
                line.front().refractive_index < 1};
   e.other_outside = !environments.excess_outside.empty();
-  e.first_air = e.first_surface + (e.other_waves ? surface_rows : 0);
-  e.first_film = e.first_air;
+  e.first_outside = e.first_surface + (e.other_waves ? surface_rows : 0);
+  e.first_film = e.first_outside;
   if (e.other_outside)
     e.first_film += static_cast<std::int32_t>(environments.excess_outside.size()) / e.count;
   e.first_emission = e.first_film + ways_at_film * v.lines * (film_angle_steps + 1);

@@ -43,8 +43,8 @@ struct EnvironmentsView {
   std::int32_t first_emitted = 0, first_part = 0, first_bed = 0, first_surface = 0;
   bool other_waves = false;    ///< some have other waves or whitecaps
   bool other_film = false;     ///< some have another film of oil
-  bool other_outside = false;  ///< some have another air between the sea and instruments
-  std::int32_t first_air = 0, first_film = 0, first_emission = 0;
+  bool other_outside = false;  ///< some have another column between the surface and instruments
+  std::int32_t first_outside = 0, first_film = 0, first_emission = 0;
   Table number;           ///< [row][environment]
   IndexTable part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
@@ -206,9 +206,9 @@ struct MediumView {
   I excess_bed(const I& line, const I& angle) const {
     return I(environments.first_bed) + line * I(bed_angles) + angle;
   }
-  /// The excess depth of the air straight up from the sea to an instrument: 0 is the laser.
+  /// The excess depth of the column between the surface and an instrument outside: 0 is the laser.
   [[nodiscard]] std::int32_t excess_outside(std::size_t instrument) const {
-    return environments.first_air + static_cast<std::int32_t>(instrument) * lines;
+    return environments.first_outside + static_cast<std::int32_t>(instrument) * lines;
   }
   /// The loss of light that goes on at a film by a way (surface/film_crossing.hpp), as an optical
   /// depth, at the end of a step.
@@ -271,8 +271,8 @@ struct EnvironmentTables {
   /// yield over the medium's.
   std::vector<double> film, film_emission;
   std::vector<double> surface;  ///< [environment][row], see SurfaceRow; none: all as the medium's
-  /// The excess depth of the air from the sea to instruments, [environment][instrument][line];
-  /// none: clear, or as the scene's in all.
+  /// The excess depth of the columns between the surface and instruments outside,
+  /// [environment][instrument][line]; none: clear, or as the scene's in all.
   std::vector<double> excess_outside;
   std::vector<std::int32_t> part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
@@ -320,7 +320,7 @@ class Medium {
   std::vector<FilmChange> film_changes;  ///< of each environment; none: all have this film
   MediumKind kind = MediumKind::water;
   double air_m = 0;  ///< the air's height, below a vacuum
-  /// Optical depths of the air up to the highest instrument.
+  /// Optical depths of the air as high up as its light counts (upside_down()).
   double scattering_to_instruments = 0, depth_to_instruments = 0;
   EnvironmentTables environments;
   std::vector<Source> sources;  ///< of all that it is made of

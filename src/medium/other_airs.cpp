@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "core/error.hpp"
@@ -90,8 +91,9 @@ std::vector<double> excess_depths(const std::vector<OtherAir>& airs,
   std::vector<double> out;
   for (const OtherAir& other : airs)
     for (const double height : height_m) {
-      const auto from = column_to(other.from, height).optical_depth;
-      const auto to = column_to(other.to, height).optical_depth;
+      const double up = std::max(0.0, height);
+      const auto from = column_to(other.from, up).optical_depth;
+      const auto to = column_to(other.to, up).optical_depth;
       for (std::size_t l = 0; l < to.size(); ++l) out.push_back(other.scale * (to[l] - from[l]));
     }
   return out;

@@ -24,7 +24,7 @@ struct OtherAir {
 std::vector<OtherAir> other_airs(const scene::Scene& scene, const std::vector<Line>& lines);
 
 /// The excess depth of the air in each of them, straight up from the sea to heights [m],
-/// [environment][height][line].
+/// [environment][height][line]; 0 for heights below it.
 std::vector<double> excess_depths(const std::vector<OtherAir>& airs,
                                   const std::vector<double>& height_m);
 
