@@ -279,7 +279,7 @@ MediumView Medium::view() const {
                film_band_ >= 0,
                film.exists,
                e.other_waves || (rough && e.other_film),
-               line.front().refractive_index < 1};
+               std::ranges::any_of(line, [](const Line& l) { return l.refractive_index < 1; })};
   e.other_outside = !environments.excess_outside.empty();
   e.first_outside = e.first_surface + (e.other_waves ? surface_rows : 0);
   e.first_film = e.first_outside;
