@@ -28,7 +28,7 @@ const std::string air_and_water =
     "[[atmosphere.layer]]\nbottom_height_m = 0.0\ntop_height_m = 3.0\n" +
     scattering(0.02, 0.2, 0.2) + "[[sea.layer]]\nbottom_depth_m = 2.0\n" +
     scattering(0.05, 0.0, 0.3) + "[[sea.layer]]\nbottom_depth_m = 3.5\n" +
-    scattering(0.05, 0.6, 0.3) + "[bottom]\nalbedo = 0.3\n";
+    scattering(0.05, 0.6, 0.3);
 
 /// A lens so wide and tilted that its points are at depths that differ, and that analog photons
 /// find it.
@@ -48,16 +48,17 @@ std::string laser_at(double z) {
 struct Place {
   const char* name;
   double laser, lens;
+  std::string bottom = "[bottom]\nalbedo = 0.3\n";
 };
-constexpr Place places[] = {{"the laser in the water", -0.5, 4},
-                            {"the telescope in the water", 4, -1.5},
-                            {"both in the water", -0.4, -1.5}};
+const Place places[] = {{"the laser in the water", -0.5, 4},
+                        {"the telescope in the water", 4, -1.5},
+                        {"both in the water, over a black bed", -0.4, -1.5, ""}};
 
 scene::Scene scene_of(const Place& place, const std::string& surface, double photons,
                       const std::string& estimator, const std::string& environment = "",
                       std::uint64_t seed = 21) {
   return read(laser_at(place.laser) + lens_at(place.lens) + channel("raman") + channel("elastic") +
-              "[sea]\nsurface = { " + surface + " }\n" + air_and_water +
+              "[sea]\nsurface = { " + surface + " }\n" + air_and_water + place.bottom +
               "[gates]\nstart_ns = 0.0\nstop_ns = 60.0\nstep_ns = 10.0\n" + environment +
               simulation(photons, seed, "", estimator));
 }

@@ -155,7 +155,8 @@ TEST(Plan, OfEveryScene) {
 }
 
 // Under air light sets out where the laser stands, and walks stay in the water if any instrument
-// stands there. Seen red: with light of the laser that sets out in the air.
+// stands there. Seen red: with light of a laser in the water that sets out in the air; with walks
+// in the air.
 TEST(Plan, OfInstrumentsInTheWater) {
   const std::filesystem::path file = PHOTIC_SOURCE_DIR "/scenes/airborne-high.toml";
   const scene::Override times{"gates={ start_ns = 0, stop_ns = 100, step_ns = 10 }"};

@@ -85,7 +85,8 @@ TEST(CrossingTangent, ObeysSnellOverTwelveOrdersOfMagnitude) {
 TEST(CrossingTangent, OfAPointStraightBelowIsZero) { EXPECT_EQ(tangent_in_air(3, 12, 0), 0); }
 
 // From the air into water, too: light goes as Snell's law has it, and comes to the point it is to
-// come to. Seen red: RED_MARK
+// come to. Seen red: with the way of the
+// point in the thinner medium; with the secants of both media swapped.
 TEST(RayThrough, LeadsBothWays) {
   test::Random random(32);
   for (int i = 0; i < 20000; ++i) {
