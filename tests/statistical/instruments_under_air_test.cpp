@@ -67,7 +67,10 @@ tally::Result run_of(const Place& place, const std::string& surface, double phot
   return run_in_lanes(scene_of(place, surface, photons, estimator));
 }
 
-/// Chance alone decides there by which way light comes, and what has touched it.
+/// Chance alone decides there by which way light comes, and what has touched it. Seen red: without
+/// the delay of the water before a lens; with the depth of its centre for all of its points; with
+/// light of a laser in the water that does not pass the surface unscattered; without a bed, with
+/// light of the air counted as the water's where analog photons come to a lens.
 TEST(InstrumentsUnderAir, SeeTheLightThatPhotonsMeetByChance) {
   for (const Place& place : places)
     for (const auto& surface : {flat, waves}) {
@@ -91,6 +94,7 @@ TEST(InstrumentsUnderAir, BothEstimatorsFindTheirLight) {
 }
 
 /// Darker water weakens light of the air once more, on its way to a lens there or from a laser.
+/// Seen red: without the excess depth of the water before a lens.
 TEST(InstrumentsUnderAir, HaveTheEnvironmentsOfTheirOwnRuns) {
   const std::string darker =
       "[[environment]]\nset = { \"sea.layer.0.iop.0.a_per_m\" = 0.12, "
