@@ -16,7 +16,7 @@ from pair_array.features import FEATURES  # noqa: E402
 from pair_array.program import Program  # noqa: E402
 
 SHARE = 0.2  # of the photons of the script's own runs
-QUICK = 0.05
+QUICK = 0.08
 
 
 # False alarms: the bound in 1 of 100 sets of seeds. The scenes share one rms: of a scene's few, correlated z it scatters too much in one
