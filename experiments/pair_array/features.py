@@ -63,7 +63,7 @@ def _water(value, bed, share):
     profile = {"depth_m": [0.0, 1.0, 2.5, BED], "value": [x * share for x in (0.1, 0.8, 0.4, 0.2)]}
     layers = {
         "one layer": [layer(0.1, 0.25, _henyey_greenstein(0.8))],
-        "three layers": [layer(0.1, 0.2, _henyey_greenstein(0.6)) | {"bottom_depth_m": 1.4}, layer(0.15, 0.15, "isotropic") | {"bottom_depth_m": 2.6},
+        "three layers": [layer(0.1, 0.2, _henyey_greenstein(0.6)) | {"bottom_depth_m": 1.4}, layer(0.15, 0.25, _henyey_greenstein(0.3)) | {"bottom_depth_m": 2.6},
                          layer(0.08, 0.2, _henyey_greenstein(0.6))],
         "profile": [_constituents(profile, share) | {"bottom_depth_m": BED}] + ([] if bed else [_constituents(0.2 * share, share)]),
         "turbid": [layer(0.02, 0.38, _henyey_greenstein(0.8))],

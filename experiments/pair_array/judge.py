@@ -22,7 +22,7 @@ FEWEST_BATCHES = 60  # below 30 all gates are flagged
 COSTS = {  # of a photon, over that of the plainest scene: scenes with these have as many fewer
     ("air", "molecules"): 2.5, ("air", "haze"): 3, ("air", "refraction"): 2, ("water", "profile"): 2, ("light", "filter"): 1.5,
     ("run", "environments"): 2, ("run", "environments of other surfaces"): 2, ("run", "derivatives"): 3,
-    ("run", "scalar"): 1.5, ("run", "continued"): 1.5, ("instruments", "both below"): 0.7,
+    ("run", "scalar"): 2.5, ("run", "continued"): 1.5, ("instruments", "both below"): 0.7,
 }
 
 
