@@ -128,8 +128,8 @@ def _poses(value):
 
 LENS = {"diameter_m": 0.3, "focal_length_m": 0.6}
 LENSES = {"in focus": {"focus_m": 5.5}, "shifted away": {"detector_shift_m": 0.15}, "shifted towards": {"detector_shift_m": -0.08},
-          "obstruction": {"focus_m": 5.5, "obstruction_diameter_m": 0.15}, "overlap": {"focus_m": 5.5, "diameter_m": 0.1}}  # small, for the first order is too bright by (radius / distance)^2
-SMALL_LENS = 0.02  # with overlap reception in the water [m]: the mean over a lens is low by what is scattered within some diameters of it
+          "obstruction": {"focus_m": 5.5, "obstruction_diameter_m": 0.15}, "overlap": {"focus_m": 5.5, "diameter_m": 0.1}}  # small: its first order is too bright by (radius / distance)^2
+SMALL_LENS = 0.03  # with overlap reception in the water [m]: the mean over a lens lacks light that is scattered within some diameters of it
 VIEWS_MRAD = {"narrow": [40.0], "wide": [300.0], "nested": [40.0, 120.0], "apart": [60.0, 60.0]}
 WATER_VIEWS_MRAD = {"narrow": [150.0], "wide": [300.0], "nested": [150.0, 300.0], "apart": [200.0, 200.0]}  # of lenses in the water
 
