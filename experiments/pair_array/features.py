@@ -24,10 +24,13 @@ NEEDS = {  # what a value needs of other features before it makes any scene
     ("instruments", "both below"): {"gates": "time"},
 }
 
-HEIGHT, BELOW, BED, DEEPEST = 4.0, 0.5, 3.5, 5.0  # of instruments above and below the sea, depth of the bed, the last gate [m]
+HEIGHT, BELOW, BED, DEEPEST = 4.0, 0.5, 3.5, 5.0  # of instruments above and below the sea, depth of the bed, end of the last gate [m]
+BEHIND_BED = 0.25  # from a bed to the end of the last gate: what comes later is dark, and flagged
+BOTH_BELOW = 0.2  # of a laser and a lens in the water [m]: light of the bed that is scattered right above the lens comes with the bed's image
+FROM_LENS = 1.0  # from a lens in the water to its first gate: scores nearby have no bound
 TILT = math.radians(30)
 LASER_NM, RED_NM, END_NM = 532.0, 640.0, 760.0
-GROUP_INDEX, METRE_PER_NS = 1.36, 0.299792458
+INDEX, GROUP_INDEX, METRE_PER_NS = 1.34, 1.36, 0.299792458
 
 
 def _direction(zenith):
@@ -46,7 +49,7 @@ def _henyey_greenstein(g):
 
 
 def _constituents(chlorophyll, share):
-    return {"chlorophyll_mg_m3": chlorophyll, "minerals_g_m3": 0.3 * share, "cdom_a440_per_m": 0.1 * share}
+    return {"chlorophyll_mg_m3": chlorophyll, "minerals_g_m3": 0.1 * share, "cdom_a440_per_m": 0.1 * share}
 
 
 CLEARER = 0.1  # water around a telescope, over that below others: forward scores near a lens have no bound, and the more turbid, the more are flagged
@@ -57,12 +60,12 @@ def _water(value, bed, share):
     def layer(a, b, phase_function):
         return {"iop": _iop(a * share, b * share), "phase_function": phase_function}
 
-    profile = {"depth_m": [0.0, 1.0, 2.5, BED], "value": [x * share for x in (0.5, 4.0, 2.0, 1.0)]}
+    profile = {"depth_m": [0.0, 1.0, 2.5, BED], "value": [x * share for x in (0.1, 0.8, 0.4, 0.2)]}
     layers = {
         "one layer": [layer(0.1, 0.25, _henyey_greenstein(0.8))],
-        "three layers": [layer(0.1, 0.2, _henyey_greenstein(0.8)) | {"bottom_depth_m": 1.4}, layer(0.15, 0.5, "isotropic") | {"bottom_depth_m": 2.6},
+        "three layers": [layer(0.1, 0.2, _henyey_greenstein(0.6)) | {"bottom_depth_m": 1.4}, layer(0.15, 0.25, _henyey_greenstein(0.3)) | {"bottom_depth_m": 2.6},
                          layer(0.08, 0.2, _henyey_greenstein(0.6))],
-        "profile": [_constituents(profile, share) | {"bottom_depth_m": BED}] + ([] if bed else [_constituents(share, share)]),
+        "profile": [_constituents(profile, share) | {"bottom_depth_m": BED}] + ([] if bed else [_constituents(0.2 * share, share)]),
         "turbid": [layer(0.02, 0.38, _henyey_greenstein(0.8))],
         "peaked": [layer(0.1, 0.25, "petzold")],
     }[value]
@@ -112,20 +115,21 @@ def _poses(value):
     """Place and direction of the laser and of the telescope; the first is that of the laser."""
     down, above, below = _direction(0.0), [0.0, 0.0, HEIGHT], [0.0, 0.0, -BELOW]
     aside, aside_below = [0.4, 0.0, HEIGHT], [0.3, 0.0, -BELOW]
-    beside, up = [0.1, 0.0, -BELOW], _direction(math.pi)  # what is seen upwards is the beam's image in the surface
+    both, beside, up = [0.0, 0.0, -BOTH_BELOW], [0.2, 0.0, -BOTH_BELOW], _direction(math.pi)  # what is seen upwards is the beam's image in the surface
     return {
         "coaxial": ((above, down), (above, down)),
         "tilted": ((above, _direction(TILT)), (above, _direction(TILT))),
         "biaxial": ((above, down), (aside, _direction(-math.atan(aside[0] / (HEIGHT + 1.0))))),
         "laser below": ((below, down), (above, down)),
         "telescope below": ((above, down), (aside_below, down)),
-        "both below": ((below, down), (beside, up)),
+        "both below": ((both, down), (beside, up)),
     }[value]
 
 
 LENS = {"diameter_m": 0.3, "focal_length_m": 0.6}
 LENSES = {"in focus": {"focus_m": 5.5}, "shifted away": {"detector_shift_m": 0.15}, "shifted towards": {"detector_shift_m": -0.08},
-          "obstruction": {"focus_m": 5.5, "obstruction_diameter_m": 0.15}, "overlap": {"focus_m": 5.5}}
+          "obstruction": {"focus_m": 5.5, "obstruction_diameter_m": 0.15}, "overlap": {"focus_m": 5.5, "diameter_m": 0.1}}  # small: its first order is too bright by (radius / distance)^2
+SMALL_LENS = 0.03  # with overlap reception in the water [m]: the mean over a lens lacks light that is scattered within some diameters of it
 VIEWS_MRAD = {"narrow": [40.0], "wide": [300.0], "nested": [40.0, 120.0], "apart": [60.0, 60.0]}
 WATER_VIEWS_MRAD = {"narrow": [150.0], "wide": [300.0], "nested": [150.0, 300.0], "apart": [200.0, 200.0]}  # of lenses in the water
 
@@ -133,6 +137,8 @@ WATER_VIEWS_MRAD = {"narrow": [150.0], "wide": [300.0], "nested": [150.0, 300.0]
 def _telescopes(values):
     position, direction = _poses(values["instruments"])[1]
     lens = LENS | LENSES[values["lens"]]
+    if values["lens"] == "overlap" and position[2] < 0:
+        lens["diameter_m"] = SMALL_LENS
     out = []
     for n, view in enumerate((VIEWS_MRAD if position[2] > 0 else WATER_VIEWS_MRAD)[values["view"]]):
         x, y, z = position
@@ -153,22 +159,41 @@ def _channels(values):
     return channels
 
 
+def _way(pose, depth):
+    """Metres of air and of water along an axis to a depth; an axis that looks up ends at that depth's image in the surface."""
+    (_, _, z), axis = pose
+    if axis[2] > 0:
+        return 0.0, depth - z
+    sine = math.hypot(axis[0], axis[1]) / math.hypot(*axis)
+    sine_in_water = sine / INDEX if z > 0 else sine
+    return max(0.0, z) / math.sqrt(1 - sine**2), (depth - max(0.0, -z)) / math.sqrt(1 - sine_in_water**2)
+
+
+def _range(lens, depth):
+    """Along a lens's axis; behind the surface an axis that looks up is in the air, where light is faster."""
+    (_, _, z), axis = lens
+    return GROUP_INDEX * (depth + z) - z if axis[2] > 0 else sum(_way(lens, depth))
+
+
+def _time_ns(poses, depth):
+    ways = [_way(pose, depth) for pose in poses]
+    return sum(air + GROUP_INDEX * water for air, water in ways) / METRE_PER_NS
+
+
 def _gates(values):
-    """Five gates of about a metre of water, from where the light of the sea begins."""
-    (laser, laser_axis), (lens, lens_axis) = _poses(values["instruments"])
-    begin = max(0.0, -laser[2], 1.0 - lens[2] if lens[2] < 0 else 0.0)
-    if values["gates"] == "depth":
-        return {"depth_min_m": begin, "depth_max_m": begin + DEEPEST, "depth_step_m": DEEPEST / 5}
+    """Five gates, from where the light of the sea begins to the bed, or as deep as light is followed."""
     if values["gates"] == "in the air":
         return {"depth_min_m": -1.5, "depth_max_m": 4.5, "depth_step_m": 1.2}
-    if values["gates"] == "range":
-        to_water = max(0.0, lens[2]) / abs(lens_axis[2] / math.hypot(*lens_axis))
-        return {"range_min_m": to_water, "range_max_m": to_water + DEEPEST, "range_step_m": DEEPEST / 5}
-    in_air = [max(0.0, at[2]) / abs(axis[2] / math.hypot(*axis)) for at, axis in ((laser, laser_axis), (lens, lens_axis))]
-    depths = sum(begin - max(0.0, -at[2]) for at in (laser, lens))  # of water on the way to the first gate
-    start = (sum(in_air) + GROUP_INDEX * depths) / METRE_PER_NS
-    step = 2 * GROUP_INDEX * DEEPEST / 5 / METRE_PER_NS
-    return {"start_ns": round(start, 3), "stop_ns": round(start + 5 * step, 3), "step_ns": round(step, 3)}
+    poses = _poses(values["instruments"])
+    laser, lens = (position[2] for position, _ in poses)
+    depths = max(0.0, -laser, FROM_LENS - lens if lens < 0 else 0.0), DEEPEST if values["bed"] == "none" else BED + BEHIND_BED
+    keys, at = {
+        "depth": (("depth_min_m", "depth_max_m", "depth_step_m"), depths),
+        "range": (("range_min_m", "range_max_m", "range_step_m"), [_range(poses[1], depth) for depth in depths]),
+        "time": (("start_ns", "stop_ns", "step_ns"), [_time_ns(poses, depth) for depth in depths]),
+    }[values["gates"]]
+    begin, step = round(at[0], 3), round((at[1] - at[0]) / 5, 3)
+    return dict(zip(keys, (begin, round(begin + 5 * step, 3), step)))
 
 
 def _is_oily(values):
@@ -179,7 +204,7 @@ def _surface(values):
     surface = dict(SURFACES[values["surface"]])
     if "whitecaps" in values["on the surface"]:
         surface.pop("whitecaps", None)
-        surface["whitecap_fraction"] = 0.1
+        surface["whitecap_fraction"] = 0.05
     if values["on the surface"] == "slick":
         surface["slick"] = True
     return surface
@@ -198,7 +223,7 @@ def _surface_change(values):
     if _is_oily(values):
         change["oil.thickness_um"] = 0.7
     if values["on the surface"] == "whitecaps":
-        change["sea.surface.whitecap_fraction"] = 0.07
+        change["sea.surface.whitecap_fraction"] = 0.035
     return change
 
 

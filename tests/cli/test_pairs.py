@@ -16,11 +16,11 @@ from pair_array.features import FEATURES  # noqa: E402
 from pair_array.program import Program  # noqa: E402
 
 SHARE = 0.2  # of the photons of the script's own runs
-QUICK = 0.05
+QUICK = 0.08
 
 
 # False alarms: the bound in 1 of 100 sets of seeds. The scenes share one rms: of a scene's few, correlated z it scatters too much in one
-# seed. Seen red: with forward echoes 10 % too bright, in each scene alone but one (filter, by its rms).
+# seed. Seen red: with forward echoes 10 % too bright, in each scene alone but that with a filter.
 def test_estimators_agree_where_features_meet(program):
     outcomes = [judge.outcome_of(Program(program), values, seeds=1, share=SHARE) for values in pairs.TEN]
     bound = judge.bound_of(outcomes)
