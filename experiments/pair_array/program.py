@@ -3,6 +3,7 @@
 import re
 import subprocess
 import tempfile
+import threading
 from pathlib import Path
 
 import netCDF4
@@ -11,6 +12,7 @@ import numpy as np
 from pair_array.scenes import text_of, without
 
 ESTIMATORS = ("forward", "bidirectional")
+READING = threading.Lock()  # netCDF files are read by one thread at a time
 FORWARD_ALONE = ("simulation.tools", "simulation.reception")
 
 
@@ -57,7 +59,7 @@ class Program:
                                   "--quiet", "--table", "none", "--force", *engine, *more)
                 if done.returncode != 0:
                     raise Failed(f"photic run, {estimator}, seed {seed}: {done.stderr}\n{path.read_text()}")
-            with netCDF4.Dataset(out) as file:
+            with READING, netCDF4.Dataset(out) as file:
                 file.set_auto_mask(False)
                 names = [name for name, variable in file.variables.items() if variable.dtype != str]
                 result = {name: np.array(file[name][:]) for name in names}

@@ -190,8 +190,8 @@ void check_reception(const Scene& scene, Findings& findings) {
       findings.good({"simulation.reception", "telescope"}))
     findings.remark("simulation.reception",
                     "the mean over a lens in the water takes light scattered close to it at one "
-                    "angle: echoes near the lens are low by some per cent, without a flag; "
-                    "reception = \"ray\" is exact");
+                    "angle: echoes are low, without a flag (3 m from a lens of 0.3 m a gate by 3 "
+                    "%, its third order by 20 %); reception = \"ray\" is exact");
 }
 
 }  // namespace

@@ -275,8 +275,8 @@ TEST(Checks, RemarkOnTheMeanOverALensInTheWater) {
       remarks("-1"),
       (std::vector<std::string>{
           "--set simulation.reception: the mean over a lens in the water takes light scattered "
-          "close to it at one angle: echoes near the lens are low by some per cent, without a "
-          "flag; reception = \"ray\" is exact"}));
+          "close to it at one angle: echoes are low, without a flag (3 m from a lens of 0.3 m a "
+          "gate by 3 %, its third order by 20 %); reception = \"ray\" is exact"}));
 }
 
 TEST(Checks, MemoryOfManyOrders) {
