@@ -264,17 +264,24 @@ def title_of(values):
     return "; ".join(named) or "the plainest"
 
 
+def _share(values):
+    """Of what is in the water: less where light of the air is scattered close to a lens, too."""
+    if _poses(values["instruments"])[1][0][2] > 0:
+        return 1.0
+    return CLEARER * (0.3 if values["instruments"] == "both below" and values["air"] != "none" else 1.0)
+
+
 def scene_of(values):
     """The scene that has one value of each feature."""
     bed = values["bed"] != "none"
-    (position, direction), (lens, _) = _poses(values["instruments"])
+    (position, direction), _ = _poses(values["instruments"])
     scene = {
         "title": title_of(values),
         "source": {"wavelength_nm": LASER_NM, "position_m": position, "direction": direction, "diameter_m": 0.04, "half_divergence_mrad": 20.0},
         "telescope": _telescopes(values),
         "channel": _channels(values),
         "optics": {},
-        "sea": {"surface": _surface(values), "layer": _water(values["water"], bed, 1.0 if lens[2] > 0 else CLEARER)},
+        "sea": {"surface": _surface(values), "layer": _water(values["water"], bed, _share(values))},
     }
     if values["light"] == "lifetime":
         scene["optics"] = {"chlorophyll_lifetime_ns": 5.0}

@@ -20,7 +20,7 @@ UNFLAGGED_GATES = 0.5  # of those with light, for a scene to be conclusive
 PHOTONS = {"forward": 2_500_000, "bidirectional": 500_000}
 FEWEST_BATCHES = 60  # below 30 all gates are flagged
 COSTS = {  # of a photon, over that of the plainest scene: scenes with these have as many fewer
-    ("air", "molecules"): 2.5, ("air", "haze"): 3, ("air", "refraction"): 2, ("water", "profile"): 2, ("light", "filter"): 1.5,
+    ("air", "haze"): 1.5, ("air", "refraction"): 1.5, ("water", "profile"): 2, ("light", "filter"): 1.5,
     ("run", "environments"): 2, ("run", "environments of other surfaces"): 2, ("run", "derivatives"): 3,
     ("run", "scalar"): 2.5, ("run", "continued"): 1.5, ("instruments", "both below"): 0.7,
 }
