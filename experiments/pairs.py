@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Tests whether features compose: small scenes in which each pair of values of two features stands, by both estimators.
 
-    experiments/pairs.py build/release/apps/photic/photic                      # the whole array, 4 seeds: an hour on two cores
+    experiments/pairs.py build/release/apps/photic/photic                      # the whole array, 4 seeds: 15 minutes on two cores
     experiments/pairs.py build/release/apps/photic/photic --only air --only "run=scalar"    # scenes with air, or with the scalar engine
     experiments/pairs.py build/release/apps/photic/photic --only "surface=paper" --keep FOLDER
     experiments/pairs.py build/release/apps/photic/photic --list              # the scenes and the pairs that are refused

@@ -265,10 +265,10 @@ def title_of(values):
 
 
 def _share(values):
-    """Of what is in the water: less where light of the air is scattered close to a lens, too."""
+    """Of what is in the water: less where a wide view has light of the air that is scattered close to the lens, too."""
     if _poses(values["instruments"])[1][0][2] > 0:
         return 1.0
-    return CLEARER * (0.3 if values["instruments"] == "both below" and values["air"] != "none" else 1.0)
+    return CLEARER * (0.3 if values["view"] == "wide" and values["air"] != "none" else 1.0)
 
 
 def scene_of(values):

@@ -19,8 +19,8 @@ UNFLAGGED_SEEDS = 0.9  # for a quantity to be compared, by its mean over all: se
 UNFLAGGED_GATES = 0.5  # of those with light, for a scene to be conclusive
 PHOTONS = {"forward": 2_500_000, "bidirectional": 500_000}
 FEWEST_BATCHES = 60  # below 30 all gates are flagged
-COSTS = {  # of a photon, over that of the plainest scene: scenes with these have as many fewer
-    ("air", "haze"): 1.5, ("air", "refraction"): 1.5, ("water", "profile"): 2, ("light", "filter"): 1.5,
+COSTS = {  # of a photon, over that of the plainest scene: scenes with these have as many fewer; more have wide views, whose tails are long
+    ("view", "wide"): 0.4, ("air", "molecules"): 2.5, ("air", "haze"): 3, ("air", "refraction"): 2, ("water", "profile"): 2, ("light", "filter"): 1.5,
     ("run", "environments"): 2, ("run", "environments of other surfaces"): 2, ("run", "derivatives"): 3,
     ("run", "scalar"): 2.5, ("run", "continued"): 1.5, ("instruments", "both below"): 0.7,
 }
