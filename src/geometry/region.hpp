@@ -9,8 +9,8 @@
 
 namespace photic::geometry {
 
-/// What is straight between the sea surface and an instrument on its other side: air, or water.
-/// Without numbers where it is clear.
+/// The column of air, or water, straight between the sea surface and an instrument on its other
+/// side. Without numbers where that is clear.
 struct OutsideColumn {
   ShortTable optical_depth;  ///< [line]
   ShortTable delay;          ///< by how much the group path is longer than in a vacuum [m], [line]

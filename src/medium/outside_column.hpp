@@ -1,5 +1,5 @@
-// What is straight between the sea surface and an instrument on the other side of it than the
-// medium whose light is followed.
+// The column of air, or water, straight between the sea surface and an instrument that stands
+// outside the medium whose light is followed.
 #pragma once
 
 #include <cstddef>

@@ -25,13 +25,6 @@ std::string lidar_above(double lens_m, double view_mrad) {
       "focal_length_m = 4.0\nhalf_field_of_view_mrad = {}\n",
       lens_m, view_mrad);
 }
-std::string scattering(double a, double b, double g) {
-  return fmt::format(
-      "iop = [{{ wavelength_nm = 355.0, a_per_m = {0}, b_per_m = {1} }}, "
-      "{{ wavelength_nm = 800.0, a_per_m = {0}, b_per_m = {1} }}]\n"
-      "phase_function = {{ model = \"henyey-greenstein\", g = {2} }}\n",
-      a, b, g);
-}
 const std::string air_and_water =
     "[[atmosphere.layer]]\nbottom_height_m = 0.0\ntop_height_m = 2.0\n" +
     scattering(0.02, 0.3, 0.2) + "[[sea.layer]]\nbottom_depth_m = 2.0\n" +

@@ -16,13 +16,6 @@
 namespace photic::test {
 namespace {
 
-std::string scattering(double a, double b, double g) {
-  return fmt::format(
-      "iop = [{{ wavelength_nm = 355.0, a_per_m = {0}, b_per_m = {1} }}, "
-      "{{ wavelength_nm = 800.0, a_per_m = {0}, b_per_m = {1} }}]\n"
-      "phase_function = {{ model = \"henyey-greenstein\", g = {2} }}\n",
-      a, b, g);
-}
 /// The water is clear where lenses are, as near scattering makes tails of single scores heavy.
 const std::string air_and_water =
     "[[atmosphere.layer]]\nbottom_height_m = 0.0\ntop_height_m = 3.0\n" +

@@ -57,6 +57,14 @@ inline std::string water(double a_per_m, double b_per_m, const std::string& phas
       a_per_m, b_per_m, phase);
 }
 
+/// The optics of a layer of water or air, alike from 355 to 800 nm.
+inline std::string scattering(double a_per_m, double b_per_m, double g) {
+  return fmt::format(
+      "iop = [{{ wavelength_nm = 355.0, a_per_m = {0}, b_per_m = {1} }}, "
+      "{{ wavelength_nm = 800.0, a_per_m = {0}, b_per_m = {1} }}]\n"
+      "phase_function = {{ model = \"henyey-greenstein\", g = {2} }}\n",
+      a_per_m, b_per_m, g);
+}
 inline std::string depth_gates(double max_m, double step_m) {
   return fmt::format("[gates]\ndepth_max_m = {}\ndepth_step_m = {}\n", max_m, step_m);
 }

@@ -1,4 +1,4 @@
-// What is straight between the sea surface and instruments on its other side.
+// Columns straight between the sea surface and instruments outside a medium.
 #include "medium/outside_column.hpp"
 
 #include <gtest/gtest.h>
