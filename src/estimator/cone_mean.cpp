@@ -23,8 +23,8 @@ std::vector<Node> chebyshev(int n) {
 }
 
 /// The rule for a rim whose far end is by so many powers of e farther than its near one. Means of
-/// tables are right within 1e-4; where the edge of their core (0.14 mrad) crosses the rim of a cone
-/// of 1 mrad within 1e-3, of 0.04 mrad within 1e-2.
+/// tables are right within 1e-4; where the edge of their core (0.17 mrad) crosses the rim of a cone
+/// of 1 mrad within 1e-3, of narrower ones within 2e-2.
 const std::vector<Node>& rule_for(double powers) {
   constexpr double per_power = 5;
   constexpr int least = 4, most = 128;
