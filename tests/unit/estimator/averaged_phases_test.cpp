@@ -15,7 +15,7 @@ namespace {
 const transport::Sea sea = transport::make_sea(40);
 
 /// Fournier-Forand, Henyey-Greenstein and molecules.
-const std::set<std::int32_t> elastic(sea.elastic_phase.begin(), sea.elastic_phase.end());
+const std::set<std::int32_t> elastic_tables(sea.elastic_phase.begin(), sea.elastic_phase.end());
 
 EntryCone<double> cone_of(double half_angle) {
   const double x = one_minus_cos_of(half_angle);
@@ -32,7 +32,7 @@ TEST(AveragedPhases, IntegrateToOne) {
   for (const double half_angle : {4e-5, 3e-3, 0.015, 0.1, 0.8, 1.7}) {
     const AveragedPhaseTables tables(sea, {cone_of(half_angle)});
     const auto averaged = tables.view();
-    for (const std::int32_t table : elastic) {
+    for (const std::int32_t table : elastic_tables) {
       double sum = 0;
       for (int i = 0; i < AveragedPhases::cells; ++i) {
         const bool forward = i < AveragedPhases::forward_cells;
@@ -53,7 +53,7 @@ TEST(AveragedPhases, AreMeansOverTheCone) {
     const AveragedPhaseTables tables(sea, {EntryCone<double>{}, cone_of(half_angle)});
     const auto averaged = tables.view();
     EXPECT_EQ(averaged.value(0, 0.1, 0), 0) << "of parallel rays";
-    for (const std::int32_t table : elastic) {
+    for (const std::int32_t table : elastic_tables) {
       for (const double share : {0.3, 1.7, 4.0, 15.0}) {
         const double angle = share * half_angle;
         if (angle > 3 || (table == 0 && share < 1)) continue;  // points miss a peak in the cone
@@ -80,7 +80,7 @@ TEST(AveragedPhases, AreMeansOverTheCone) {
 // narrow as they are.
 TEST(AveragedPhases, OfNarrowConesAreThePhaseFunctions) {
   const AveragedPhaseTables tables(sea, {cone_of(1e-14)});
-  for (const std::int32_t table : elastic)
+  for (const std::int32_t table : elastic_tables)
     for (double x = 1e-10; x < 2; x *= 1.3) {
       const double p = sea.view().phases.value<double>(x, table);
       EXPECT_NEAR(tables.view().value(0, x, table) / p, 1, 1e-4) << "table " << table << ", " << x;
@@ -90,9 +90,9 @@ TEST(AveragedPhases, OfNarrowConesAreThePhaseFunctions) {
 // Seen red: with the means of all tables.
 TEST(AveragedPhases, AreThoseOfElasticScattering) {
   const AveragedPhaseTables tables(sea, {cone_of(0.1)});
-  ASSERT_LT(elastic.size(), sea.phase_count());
+  ASSERT_LT(elastic_tables.size(), sea.phase_count());
   for (std::int32_t table = 0; table < sea.phase_count(); ++table)
-    EXPECT_EQ(tables.view().value(0, 0.1, table) > 0, elastic.contains(table)) << table;
+    EXPECT_EQ(tables.view().value(0, 0.1, table) > 0, elastic_tables.contains(table)) << table;
 }
 
 }  // namespace
