@@ -1,11 +1,14 @@
 #include "estimator/averaged_phases.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <span>
+#include <cstddef>
+#include <set>
 #include <utility>
 
 #include "core/constants.hpp"
+#include "estimator/cone_mean.hpp"
 #include "estimator/walk_cones.hpp"
 
 namespace photic::estimator {
@@ -13,68 +16,57 @@ namespace {
 
 using optics::PhaseView;
 
-double angle_of(double x) { return 2 * std::asin(std::sqrt(x / 2)); }
-
-/// Rings about a direction a off the axis of a cone of half angle d, of which a share lies in the
-/// cone (theory.md, eq. 84).
-struct Rings {
-  double whole = 0;               ///< up to this 1 - cos rings lie in the cone as a whole
-  std::vector<double> x, weight;  ///< of the others
-};
-/// Rings at angles whose logarithms are those of a Chebyshev rule, which is right for the square
-/// roots at its ends.
-Rings rings_at(double a, double d) {
-  Rings out;
-  if (a < d) out.whole = one_minus_cos_of(d - a);
-  constexpr double nearest = 1e-8;  // far inside the core of any phase function
-  const double first = std::log(std::max(std::abs(d - a), nearest)), last = std::log(d + a);
-  const double centre = (first + last) / 2, half = (last - first) / 2;
-  const int points = static_cast<int>(std::clamp(24 + 32 * half, 24.0, 256.0));
-  const double per_solid_angle = half * pi / points / (2 * pi * one_minus_cos_of(d));
-  for (int j = 0; j < points; ++j) {
-    const double phi = (j + 0.5) * pi / points;
-    const double t = std::exp(centre + half * std::cos(phi));
-    const double inside =
-        std::sin((d + a - t) / 2) * std::sin((d - a + t) / 2) / (std::sin(a) * std::sin(t));
-    const double share = std::asin(std::sqrt(std::clamp(inside, 0.0, 1.0)));
-    out.x.push_back(one_minus_cos_of(t));
-    out.weight.push_back(4 * std::sin(t) * share * t * std::sin(phi) * per_solid_angle);
-  }
-  return out;
-}
-
-/// A table of a medium against the distance x from one of its poles, and its integral.
-class Cumulative {
+/// Phase functions of a medium, integrated from one of their poles on: for each line of their
+/// tables a parabola of the distance from the line's pole.
+class Cumulatives {
  public:
-  Cumulative(const PhaseView& phases, std::int32_t table, bool from_back)
-      : phases_(phases), table_(table), from_back_(from_back), edge_{0}, sum_{0} {
-    const int cells =
-        from_back ? PhaseView::cells - PhaseView::forward_cells : PhaseView::forward_cells;
-    for (int i = 1; i <= cells; ++i) {
-      const double to = from_back ? 2 - PhaseView::edge(PhaseView::cells - i) : PhaseView::edge(i);
-      sum_.push_back(sum_.back() + part(edge_.back(), to));
-      edge_.push_back(to);
+  Cumulatives(const PhaseView& phases, const std::set<std::int32_t>& tables, bool from_back)
+      : from_back_(from_back), tables_(tables.size()), row_(PhaseView::lines * tables_) {
+    std::size_t number = 0;
+    for (const auto table : tables) integrate(phases, table, number++);
+  }
+  /// The means of all tables over a cone.
+  void means_of(const std::vector<MeanTerm>& terms, std::vector<double>& means) const {
+    means.assign(tables_, 0);
+    for (const auto& [x, weight] : terms) {
+      const double near = std::min(x, 2 - x);
+      const bool ahead = from_back_ ? x > 1 : x < 1;
+      const auto entry = static_cast<std::size_t>(PhaseView::entry<double>(near, ahead));
+      const Parabola* row = &row_[entry * tables_];
+      for (double& mean : means) mean += weight * (row++)->value(near);
     }
-  }
-  [[nodiscard]] double p(double x) const {
-    return phases_.value<double>(from_back_ ? 2 - x : x, table_);
-  }
-  [[nodiscard]] double up_to(double x) const {
-    const auto next = std::upper_bound(edge_.begin(), edge_.end() - 1, x);
-    const auto i = static_cast<std::size_t>(next - edge_.begin()) - 1;
-    return sum_[i] + part(edge_[i], x);
   }
 
  private:
-  /// In a cell, where p is a straight line.
-  [[nodiscard]] double part(double from, double to) const {
-    return 2 * pi * (to - from) * p((from + to) / 2);
+  struct Parabola {
+    double at_pole, linear, square;
+    [[nodiscard]] double value(double near) const {
+      return at_pole + near * (linear + near * square);
+    }
+  };
+  void integrate(const PhaseView& phases, std::int32_t table, std::size_t number) {
+    double sum = 0;
+    for (int k = 0; k < PhaseView::cells; ++k) {
+      const int cell = from_back_ ? PhaseView::cells - 1 - k : k;
+      const bool forward = cell < PhaseView::forward_cells;
+      const int entry = forward ? cell : PhaseView::forward_cells + PhaseView::cells - 1 - cell;
+      const auto line = phases.line_of<double>(entry + table * PhaseView::lines);
+      const double per_near = forward == from_back_ ? -2 * pi : 2 * pi;
+      Parabola row{0, per_near * line[PhaseView::at_pole], per_near * line[PhaseView::slope] / 2};
+      const auto near = [&](int edge) {
+        return forward ? PhaseView::edge(edge) : 2 - PhaseView::edge(edge);
+      };
+      row.at_pole = sum - row.value(near(from_back_ ? cell + 1 : cell));
+      sum = row.value(near(from_back_ ? cell : cell + 1));
+      row_[static_cast<std::size_t>(entry) * tables_ + number] = row;
+    }
+    row_[PhaseView::cells * tables_ + number] =  // 90 degrees
+        row_[(PhaseView::cells - 1) * tables_ + number];
   }
 
-  const PhaseView& phases_;
-  std::int32_t table_;
   bool from_back_;
-  std::vector<double> edge_, sum_;
+  std::size_t tables_;
+  std::vector<Parabola> row_;  ///< [line][table]
 };
 
 /// Points of a Gauss-Legendre rule on -1 ... 1 and their weights, which sum up to 1.
@@ -98,104 +90,75 @@ Rule gauss(int n) {
   return rule;
 }
 
-/// The rings of all cells, which are the same for all phase functions. The straight line of a cell
-/// has the mean and the mean slope of what it stands for: two points do; at the rim of the cone,
-/// where the mean over it bends within a cell, more.
-class Cone {
- public:
-  explicit Cone(double one_minus_cos) : solid_angle_(2 * pi * one_minus_cos) {
-    const double d = angle_of(one_minus_cos);
-    for (int i = 0; i < AveragedPhases::cells; ++i) {
-      const auto [from, to] = AveragedPhases::edges(i);
-      const bool at_rim = i < AveragedPhases::forward_cells && to > 0.9 * one_minus_cos &&
-                          from < 1.1 * one_minus_cos;
-      Cell& cell = cell_.emplace_back(Cell{(from + to) / 2, (to - from) / 2, &rule(at_rim), {}});
-      for (const double at : cell.rule->at)
-        cell.rings.push_back(rings_at(angle_of(cell.middle + at * cell.half), d));
-    }
-  }
-
-  /// The lines of a table: AveragedPhases::line.
-  [[nodiscard]] std::vector<double> lines(const PhaseView& phases, std::int32_t table) const {
-    const Cumulative forward(phases, table, false), backward(phases, table, true);
-    std::vector<double> out;
-    for (std::size_t i = 0; i < cell_.size(); ++i) {
-      const auto& of = i < AveragedPhases::forward_cells ? forward : backward;
-      const Cell& cell = cell_[i];
-      double mean = 0, slope = 0;
-      for (std::size_t k = 0; k < cell.rings.size(); ++k) {
-        const double weighted = cell.rule->weight[k] * value(of, cell.rings[k]);
-        mean += weighted;
-        slope += 3 * cell.rule->at[k] * weighted / cell.half;
-      }
-      out.insert(out.end(), {mean - slope * cell.middle, slope});
-    }
-    return out;
-  }
-
- private:
-  struct Cell {
-    double middle, half;
-    const Rule* rule;
-    std::vector<Rings> rings;
+/// A part of the directions that free walks begin in: even in a cone.
+struct Part {
+  double one_minus_cos, share;
+};
+/// The shares of all narrower cones of an entry cone, which end where its rings do.
+std::vector<Part> parts_of(const EntryCone<double>& cone) {
+  const auto frees = [&](std::size_t k) {
+    return k < cone.rings && cone.ring[k].one_minus_cos <= cone.free_within;
   };
-  static const Rule& rule(bool at_rim) {
-    static const Rule few = gauss(2), many = gauss(16);
-    return at_rim ? many : few;
+  std::vector<Part> parts;
+  for (std::size_t k = 0; frees(k); ++k) {
+    const double x = cone.ring[k].one_minus_cos;
+    const double beyond = frees(k + 1) ? 1 / cone.ring[k + 1].solid_angle : 0;
+    parts.push_back({x, 2 * pi * x * (1 / cone.ring[k].solid_angle - beyond) / cone.free_share});
   }
-  [[nodiscard]] double value(const Cumulative& of, const Rings& rings) const {
-    double sum = rings.whole > 0 ? of.up_to(rings.whole) / solid_angle_ : 0;
-    for (std::size_t j = 0; j < rings.x.size(); ++j) sum += rings.weight[j] * of.p(rings.x[j]);
-    return sum;
-  }
+  return parts;
+}
 
-  double solid_angle_;
-  std::vector<Cell> cell_;
-};
+/// Values at the pole and slopes, of all tables.
+using Lines = std::vector<std::array<double, AveragedPhases::line_fields>>;
 
-/// The mean over the part of an entry cone that free walks begin in: the shares of all its narrower
-/// ones, which end where its rings do.
-class MeanOverCone {
- public:
-  explicit MeanOverCone(const EntryCone<double>& cone) {
-    const auto frees = [&](std::size_t k) {
-      return k < cone.rings && cone.ring[k].one_minus_cos <= cone.free_within;
-    };
-    for (std::size_t k = 0; frees(k); ++k) {
-      const double x = cone.ring[k].one_minus_cos;
-      const double beyond = frees(k + 1) ? 1 / cone.ring[k + 1].solid_angle : 0;
-      part_.emplace_back(2 * pi * x * (1 / cone.ring[k].solid_angle - beyond) / cone.free_share,
-                         Cone(x));
+/// The straight lines of a cell. Each has the mean and the mean slope of what it
+/// stands for: two points do; at the rim of a cone, where the mean over it bends within a cell,
+/// more.
+void lines_of_cell(int cell, const std::vector<Part>& parts, const Cumulatives& from_pole,
+                   Lines& lines) {
+  static const Rule few = gauss(2), many = gauss(16);
+  const auto [from, to] = AveragedPhases::edges(cell);
+  const double middle = (from + to) / 2, half = (to - from) / 2;
+  std::vector<double> means;
+  std::vector<MeanTerm> terms;
+  lines.assign(lines.size(), {});
+  for (const auto& [x, share] : parts) {
+    const bool at_rim = cell < AveragedPhases::forward_cells && to > 0.9 * x && from < 1.1 * x;
+    const Rule& rule = at_rim ? many : few;
+    for (std::size_t k = 0; k < rule.at.size(); ++k) {
+      mean_over_cone(middle + rule.at[k] * half, x, terms);
+      from_pole.means_of(terms, means);
+      const double weight = share * rule.weight[k], per_slope = 3 * rule.at[k] / half;
+      for (std::size_t t = 0; t < lines.size(); ++t) {
+        lines[t][0] += weight * means[t];
+        lines[t][1] += per_slope * weight * means[t];
+      }
     }
   }
-  [[nodiscard]] std::vector<double> lines(const PhaseView& phases, std::int32_t table) const {
-    std::vector<double> sum(std::size_t{AveragedPhases::cells} * AveragedPhases::line_fields);
-    for (const auto& [share, cone] : part_) {
-      const auto line = cone.lines(phases, table);
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * line[i];
-    }
-    return sum;
-  }
-
- private:
-  std::vector<std::pair<double, Cone>> part_;
-};
+  for (auto& [at_pole, slope] : lines) at_pole -= slope * middle;
+}
 
 }  // namespace
 
 AveragedPhaseTables::AveragedPhaseTables(const medium::Medium& medium,
                                          const std::vector<EntryCone<double>>& cones)
     : tables_(medium.phase_count()) {
+  const std::set elastic(medium.elastic_phase.begin(), medium.elastic_phase.end());
   const auto phases = medium.view().phases;
+  const Cumulatives forward(phases, elastic, false), backward(phases, elastic, true);
+  constexpr int cells = AveragedPhases::cells, fields = AveragedPhases::line_fields;
   for (const auto& cone : cones) {
-    if (!cone.by_depth) {  // no walk is free
-      const std::vector<double> none(static_cast<std::size_t>(tables_) * AveragedPhases::cells *
-                                     AveragedPhases::line_fields);
-      line_.append(none);
-      continue;
+    std::vector<double> rows(static_cast<std::size_t>(tables_ * cells * fields));
+    const auto parts = cone.by_depth ? parts_of(cone) : std::vector<Part>{};  // else none is free
+    Lines lines(elastic.size());
+    for (int cell = 0; cell < cells && !parts.empty(); ++cell) {
+      const bool ahead = cell < AveragedPhases::forward_cells;
+      lines_of_cell(cell, parts, ahead ? forward : backward, lines);
+      auto line = lines.begin();
+      for (const auto table : elastic)
+        std::ranges::copy(*line++, rows.begin() + (table * cells + cell) * fields);
     }
-    const MeanOverCone of(cone);
-    for (std::int32_t table = 0; table < tables_; ++table) line_.append(of.lines(phases, table));
+    line_.append(rows);
   }
 }
 

@@ -67,7 +67,8 @@ struct AveragedPhases {
 class AveragedPhaseTables {
  public:
   AveragedPhaseTables() = default;
-  /// The means of all tables of a medium, for instruments in their order.
+  /// The means of the tables by which a medium scatters light elastically, for instruments in their
+  /// order. Nothing looks up the others, which are 0.
   AveragedPhaseTables(const medium::Medium& medium, const std::vector<EntryCone<double>>& cones);
 
   [[nodiscard]] AveragedPhases view() const;

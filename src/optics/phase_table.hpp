@@ -70,20 +70,25 @@ struct PhaseView {
   // A view may hold several tables one behind the other (medium/medium.hpp): `table` picks one,
   // so that each lane of a walk can be in another layer.
 
-  /// p(x) [1/sr], which is also the density per solid angle that sample() draws from.
+  /// The entry of a place so far from the pole `ahead`, or from the other one.
   template <class T>
-  T value(const T& x, const Index<T>& table = Index<T>(0)) const {
+  static Index<T> entry(const T& near, const Mask<T>& ahead) {
     using Number = Element<T>;
     constexpr Number below = 1 - std::numeric_limits<Number>::epsilon();
-    const Mask<T> ahead = x < T(1);
-    const T near = select(ahead, x, T(2) - x);
     // In the cells at the poles, where rounding puts what lies beyond them, too.
     const T least = select(ahead, T(static_cast<Number>(x_core) * below),
                            T(static_cast<Number>(x_back) * below));
     const Index<T> cell = octave_cell(select(near > least, near, least), cell_bits).cell;
-    const Index<T> i = cell + select(ahead, Index<T>(1 - first_octave_cell),
-                                     Index<T>(forward_cells + 1 - first_octave_cell_back));
-    const auto here = line_of<T>(i + table * Index<T>(lines));
+    return cell + select(ahead, Index<T>(1 - first_octave_cell),
+                         Index<T>(forward_cells + 1 - first_octave_cell_back));
+  }
+
+  /// p(x) [1/sr], which is also the density per solid angle that sample() draws from.
+  template <class T>
+  T value(const T& x, const Index<T>& table = Index<T>(0)) const {
+    const Mask<T> ahead = x < T(1);
+    const T near = select(ahead, x, T(2) - x);
+    const auto here = line_of<T>(entry(near, ahead) + table * Index<T>(lines));
     return here[at_pole] + here[slope] * near;
   }
 
