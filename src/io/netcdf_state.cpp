@@ -59,6 +59,8 @@ void describe(Visitor& v, State& s, const std::vector<tally::Grid>& grids) {
   v.count("batches", s.batches);
   v.count("collisions", s.collisions);
   v.count("scores", s.scores);
+  tally::Operations::each([&](const char* name, auto& number) { v.count(name, number); },
+                          s.operations);
   v.count("photons_lost_too_many_events", s.too_many_events);
   v.count("photons_lost_not_finite", s.not_finite);
   tally::Ledger::each(

@@ -153,6 +153,7 @@ void BatchTally::clear() {
   }
   for (auto& row : touched_cells) row.clear();
   ledger = {};
+  operations = {};
   photons = collisions = scores = too_many_events = not_finite = 0;
 }
 

@@ -14,6 +14,7 @@
 
 #include "core/zeroed.hpp"
 #include "tally/gates.hpp"
+#include "tally/operations.hpp"
 #include "tally/shape.hpp"
 #include "tally/state.hpp"
 
@@ -175,6 +176,7 @@ class BatchTally {
   std::vector<std::vector<std::uint32_t>> touched_cells;  ///< [row]
 
   Ledger ledger;  ///< sums of weights
+  Operations operations;
   std::uint64_t photons = 0, collisions = 0, scores = 0, too_many_events = 0, not_finite = 0;
 
  private:

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/zeroed.hpp"
+#include "tally/operations.hpp"
 
 namespace photic::tally {
 
@@ -138,6 +139,7 @@ struct TotalsState {
 
   std::uint64_t photons = 0, batches = 0, collisions = 0, scores = 0, too_many_events = 0,
                 not_finite = 0;
+  Operations operations;
   Ledger ledger;               ///< sums of weights
   Sums ledger_excess;          ///< over the batches: of all in their ledgers less their photons
   std::vector<Row> row;        ///< [row]

@@ -84,6 +84,7 @@ void Totals::merge(const BatchTally& batch) {
   ++state_.batches;
   state_.collisions += batch.collisions;
   state_.scores += batch.scores;
+  state_.operations += batch.operations;
   state_.too_many_events += batch.too_many_events;
   state_.not_finite += batch.not_finite;
   state_.ledger_excess.add(batch.ledger.sum() - n, n);

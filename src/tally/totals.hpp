@@ -58,6 +58,7 @@ class Totals {
   [[nodiscard]] std::uint64_t photons() const { return state_.photons; }
   /// Scores that were offered, of any size and time: what a run's work is counted by.
   [[nodiscard]] std::uint64_t scores() const { return state_.scores; }
+  [[nodiscard]] const Operations& operations() const { return state_.operations; }
   [[nodiscard]] const TotalsState& state() const& { return state_; }
   [[nodiscard]] TotalsState state() && { return std::move(state_); }
 

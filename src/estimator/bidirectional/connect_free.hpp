@@ -143,6 +143,7 @@ T Connections<T>::collision_gain(const Vertex& first) const {
 template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_telescope(FreePairing<T> pairing,
                                                                       Mask<T> mask) {
+  tally_.operations.free_meetings += count(mask);
   const RayPair<T> pair = pair_of(pairing);
   const Vertex first = back_.vertex(pairing.back, Index<T>(0));
   const Vec3<T> moved = apart(pair, pairing.depth);
@@ -229,6 +230,7 @@ void Connections<T>::put_first(const T& footprint, const T& freed, NearFirst<T>&
 template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_laser(FreePairing<T> pairing,
                                                                   Mask<T> mask) {
+  tally_.operations.free_meetings += count(mask);
   const RayPair<T> pair = pair_of(pairing);
   const Vertex first = laser_.vertex(pairing.laser, Index<T>(0));
   const Vec3<T> moved = -apart(pair, pairing.depth);

@@ -74,6 +74,7 @@ template <class T>
 PHOTIC_APART void Connections<T>::meet_under_waves(const RayPairing<T>& pairing,
                                                    const Mask<T>& mask, Met<T> met, const T& depth,
                                                    const Index<T>& place, const T& contribution) {
+  tally_.operations.meetings_by_waves += count(mask);
   const Ray& out = *met.out;
   const Vec3<T> where = out.position + out.length_to(depth) * out.direction;
   const auto enter = [&](const Mask<T>& first, std::int32_t instrument, const Index<T>& line,
@@ -97,6 +98,7 @@ void Connections<T>::meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, 
   const Ray &out = *met.out, &back = *met.back;
   const Mask<T> emitting = mask & emits(back.line, place);
   if (!any(emitting)) return;
+  tally_.operations.meetings += count(emitting);
   const T of_vertex = contribution(
       sea_, interaction_at<T>(sea_, back.line > Index<T>(0), back.line, place, out.direction),
       -back.direction);

@@ -56,9 +56,10 @@ void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::
                                   : reflected(back_line, world_.walks.deepest);
       for (std::int32_t which = 0; which < (back_returns ? 4 : 2); ++which) {
         const Mask<T> some = which % 2 == 0 ? in_time : in_time & returns;
-        if (any(some))
-          act(RayPairing<T>{pairing, Index<T>(which)}, some, which % 2 == 0 ? out_line : image,
-              which < 2 ? back_line : back_image);
+        if (!any(some)) continue;
+        tally_.operations.ray_pairs += count(some);
+        act(RayPairing<T>{pairing, Index<T>(which)}, some, which % 2 == 0 ? out_line : image,
+            which < 2 ? back_line : back_image);
       }
     }
   });

@@ -11,6 +11,7 @@ template <class T>
 void Connections<T>::to_telescope(std::size_t walk) {
   if (!connects(receiver_.region)) return;
   lanes::each_index<T>(laser_.vertices(walk), [&](const Index<T>& i, const Mask<T>& mask) {
+    tally_.operations.vertex_pairs += count(mask);
     to_telescope_.push(mask, pairing_of<T>(walk, i, walk, Index<T>(0)),
                        [this](const auto& e, const auto& all) { serve_to_telescope(e, all); });
   });
@@ -169,6 +170,7 @@ template <class T>
 void Connections<T>::to_laser(std::size_t walk) {
   if (!world_.walks.uses.to_laser) return;
   lanes::each_index<T>(back_.vertices(walk), [&](const Index<T>& m, const Mask<T>& mask) {
+    tally_.operations.vertex_pairs += count(mask);
     to_laser_.push(mask, pairing_of<T>(walk, Index<T>(0), walk, m),
                    [this](const auto& e, const auto& all) { serve_to_laser(e, all); });
   });
@@ -303,6 +305,7 @@ void Connections<T>::between(std::size_t walk) {
       const Mask<T> may = mask & in_order(i + Index<T>(m + 2)) &
                           (path + back_.vertex_in_all_lanes(walk, m).path < receiver_.last_path);
       if (!any(may)) break;
+      tally_.operations.vertex_pairs += count(may);
       between_.push(may, pairing_of<T>(walk, i, walk, Index<T>(m)),
                     [this](const auto& e, const auto& all) { serve_between(e, all); });
     }

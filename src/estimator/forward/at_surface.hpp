@@ -81,6 +81,7 @@ struct ScoredAtSurface {
                                 tally, ledger);
   }
   void about_to_meet(const transport::AtWaves<T>& at, std::uint32_t facet) {
+    tally.operations.facets += count(at.meets);
     Mask<T> scored = at.meets;
     const auto fresh = [&] { return t.photon.order == Index<T>(0); };
     if (facet == 0) scored = scored & fresh();

@@ -223,6 +223,7 @@ template <class Events, class T>
 void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, const Mask<T>& mask,
               tally::BatchTally& tally, Estimates<T>& estimates) {
   using namespace transport;
+  tally.operations.local_estimates += count(mask);
   const Photon<T>& photon = from.photon;
   const auto [share, phase] = emission(world.slabs, from);
   const ViewGroup<T>& group = world.instruments.groups[g];
