@@ -30,8 +30,12 @@ Json settings_of(const scene::Simulation& s) {
             {"scored_points", s.scored_points.value()}};
   return {{"estimator", scene::word_of(s.estimator)},
           {"walk_attenuation", s.walk_attenuation.value()},
-          {"walks", s.walks},
-          {"connected_fraction", s.connected_fraction},
+          {"conversion_probability", s.conversion_probability.value()},
+          {"meetings", s.meetings.value()},
+          {"free_telescope_meetings", s.free_telescope_meetings.value_or(0)},
+          {"free_laser_meetings", s.free_laser_meetings.value_or(0)},
+          {"walks", s.walks.value()},
+          {"connected_fraction", s.connected_fraction.value()},
           {"sampling", scene::word_of(s.sampling)}};
 }
 
@@ -156,7 +160,7 @@ std::string recommendation(const run::Comparison& comparison) {
   } else {
     out += "nothing, since no gate can be compared (give more --time)\n";
   }
-  const scene::Simulation& chosen = comparison.chosen_by_auto;
+  const scene::Simulation& chosen = comparison.candidates.front().simulation;
   return out + "estimator = \"auto\" would take\n" + as_toml(settings_of(chosen)) +
          "  because of " + chosen.estimator_reason.value_or("") + '\n';
 }
@@ -195,7 +199,7 @@ Json gates_json(const run::Comparison& comparison, const run::Candidate& candida
 std::string json(const run::Comparison& comparison, const std::string& scene) {
   const GateCounts gates = count_gates(comparison);
   const tally::Result& reference = comparison.reference;
-  const scene::Simulation& chosen = comparison.chosen_by_auto;
+  const scene::Simulation& chosen = comparison.candidates.front().simulation;
   Json out = {
       {"scene", scene},
       {"repeats", comparison.repeats},

@@ -29,6 +29,10 @@ scene::Scene as_chosen(scene::Scene now, const scene::Scene& then) {
   else if (s.estimator != scene::Estimator::bidirectional || s.estimator != chosen.estimator)
     return now;
   take(s.estimator_reason, chosen.estimator_reason);
+  take(s.conversion_probability, chosen.conversion_probability);
+  take(s.walks, chosen.walks);
+  take(s.meetings, chosen.meetings);
+  take(s.connected_fraction, chosen.connected_fraction);
   take(s.walk_attenuation, chosen.walk_attenuation);
   take(s.directed_fraction, chosen.directed_fraction);
   take(s.scored_points, chosen.scored_points);

@@ -9,6 +9,7 @@
 #include "estimator/model.hpp"
 #include "estimator/walk_settings.hpp"
 #include "scene/forward_settings.hpp"
+#include "scene/walk_settings.hpp"
 
 namespace photic::estimator {
 
@@ -66,7 +67,7 @@ ForwardSettings<T> make_forward_settings(const Model& model, const geometry::Sla
   out.flies_on = out.directs && !all_events && out.cones.empty() &&
                  slabs.surface.one_direction_each && !slabs.surface.absorbs;
   out.single_rays = asked.reception == scene::Reception::ray;
-  out.conversion = T(asked.conversion_probability);
+  out.conversion = T(asked.conversion_probability.value_or(scene::usual_conversion_probability));
   const bool one_way =
       instruments.groups.size() == 1 && instruments.telescope_region.front().outside;
   out.makes_choices = (out.directs && !one_way) || model.medium.line.size() > 1;

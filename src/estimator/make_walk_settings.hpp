@@ -14,6 +14,7 @@
 #include "estimator/walk_attenuation.hpp"
 #include "estimator/walk_cones.hpp"
 #include "estimator/walk_settings.hpp"
+#include "scene/walk_settings.hpp"
 
 namespace photic::estimator {
 
@@ -87,7 +88,8 @@ std::vector<Receiver<T>> make_receivers(const Model& model, const Instruments<T>
 template <class T>
 InverseConversion<T> make_inverse_conversion(const scene::Scene& scene,
                                              const medium::Medium& medium) {
-  return {T(inverse_conversion_probability(scene.simulation.conversion_probability)),
+  return {T(inverse_conversion_probability(scene.simulation.conversion_probability.value_or(
+              scene::usual_conversion_probability))),
           T(directed_inverse_conversion), vec3_cast<T>(beam_in_water(scene, medium)),
           Index<T>(medium.beam_lobe), T(medium.line.size() > 1 ? directed_scattering : 0.0)};
 }
@@ -105,14 +107,14 @@ WalkSettings<T> make_walk_settings(const Model& model, const Instruments<T>& ins
   out.free_telescope = {T(cones.free_telescope)};
   out.free_laser = {T(cones.free_laser)};
   out.deepest = T(reach.deepest);
-  out.meeting_grid = {T(asked.meetings / reach.range)};
+  out.meeting_grid = {T(asked.meetings.value_or(scene::usual_meetings) / reach.range)};
   out.inverse_conversion = make_inverse_conversion<T>(scene, medium);
   const Strategies used = make_strategies(scene, medium);
   out.uses = {used.to_laser.used, used.between.used, used.translated.used, used.rotated.used,
               used.rotated_scattered.used};
-  out.connected = T(asked.connected_fraction);
+  out.connected = T(asked.connected_fraction.value_or(scene::usual_connected_fraction));
   if (asked.estimator == scene::Estimator::bidirectional)
-    out.laser_walks = static_cast<std::size_t>(asked.walks);
+    out.laser_walks = static_cast<std::size_t>(asked.walks.value_or(scene::usual_walks));
   return out;
 }
 

@@ -25,6 +25,7 @@
 #include "optics/data_folder.hpp"
 #include "scene/environment_values.hpp"
 #include "scene/forward_settings.hpp"
+#include "scene/walk_settings.hpp"
 #include "transport/touched.hpp"
 
 namespace photic::estimator {
@@ -184,6 +185,25 @@ void check_instruments(const scene::Scene& scene, const medium::Medium& medium) 
                      .suggestion = "run some of the telescopes in a scene of their own"}});
 }
 
+/// Names the settings of an estimator that a scene leaves open.
+void name_settings(const scene::Scene& scene, const medium::Medium& medium, scene::Simulation& s) {
+  if (s.estimator == scene::Estimator::automatic) return;
+  const auto name = [](auto& setting, auto usual) { setting = setting.value_or(usual); };
+  s.batch_photons = batch_photons(scene.simulation);
+  if (s.estimator != scene::Estimator::analog)
+    name(s.conversion_probability, scene::usual_conversion_probability);
+  if (s.estimator == scene::Estimator::bidirectional) {
+    s.walk_attenuation = walk_attenuation_in(medium, scene.simulation);
+    name(s.walks, scene::usual_walks);
+    name(s.meetings, scene::usual_meetings);
+    name(s.connected_fraction, scene::usual_connected_fraction);
+  }
+  if (s.estimator == scene::Estimator::forward) {
+    s.directed_fraction = scene::directed_fraction_in(scene);
+    s.scored_points = scene::scored_points_in(scene);
+  }
+}
+
 }  // namespace
 
 Model make_model(const scene::Scene& scene) {
@@ -208,14 +228,7 @@ Model make_model(const scene::Scene& scene) {
   }
   tally::Gates gates(effective, medium.line, apparent_path);
   auto shape = make_shape(scene, medium, air.has_value(), gates);
-  if (scene.simulation.estimator == scene::Estimator::bidirectional)
-    effective.simulation.walk_attenuation = walk_attenuation_in(medium, scene.simulation);
-  if (scene.simulation.estimator == scene::Estimator::forward) {
-    effective.simulation.directed_fraction = scene::directed_fraction_in(scene);
-    effective.simulation.scored_points = scene::scored_points_in(scene);
-  }
-  if (scene.simulation.estimator != scene::Estimator::automatic)
-    effective.simulation.batch_photons = batch_photons(scene.simulation);
+  name_settings(scene, medium, effective.simulation);
   auto paths = free_paths(medium, scene.simulation);
   auto averaged = averaged_phases(scene, medium);
   return {std::move(effective),

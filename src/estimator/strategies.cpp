@@ -11,6 +11,7 @@
 #include "geometry/axis.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/lens.hpp"
+#include "scene/walk_settings.hpp"
 
 namespace photic::estimator {
 namespace {
@@ -127,7 +128,8 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
   Strategies out;
   out.to_laser = to_laser(scene, medium.view().surface);
   out.between = {"walks from both sides connected", true,
-                 fmt::format("a share of {:g}", scene.simulation.connected_fraction)};
+                 fmt::format("a share of {:g}", scene.simulation.connected_fraction.value_or(
+                                                    scene::usual_connected_fraction))};
   out.translated = translated(scene);
   out.rotated = rotated(medium, beam_in_water(scene, medium));
   out.rotated_scattered = out.rotated;

@@ -71,7 +71,6 @@ class ScoreQueue {
       if (nested_) compress(mask, scores.telescope, &narrowest_[at]);
       compress(mask, scores.light, &light_[at]);
       compress(mask, scores.order, &order_[at]);
-      compress(mask, scores.depth, &depth_[at]);
       compress(mask, scores.path, &path_[at]);
       compress(mask, scores.value, &value_[at]);
       compress(mask, bins.gate, &gate_[at]);
@@ -95,8 +94,12 @@ class ScoreQueue {
   template <class TelescopeOf>
   void flush(tally::BatchTally& tally, TelescopeOf telescope_of) {
     for (std::size_t i = 0; i < waiting_; ++i)
-      tally.score({telescope_of(i), light_[i], order_[i], depth_[i], path_to_origin_ + path_[i],
-                   value_[i], walked_[i]},
+      tally.score({.telescope = telescope_of(i),
+                   .light = light_[i],
+                   .order = order_[i],
+                   .path = path_to_origin_ + path_[i],
+                   .value = value_[i],
+                   .technique = walked_[i]},
                   {gate_[i], cell_[i]});
     waiting_ = 0;
   }
@@ -112,7 +115,7 @@ class ScoreQueue {
   Column<std::int32_t> narrowest_{};  ///< telescope that sees a score; of nested views
   Column<std::int32_t> light_{}, order_{}, gate_{}, cell_{};
   Column<tally::Technique> walked_{};
-  Column<Element<T>> depth_{}, path_{}, value_{};
+  Column<Element<T>> path_{}, value_{};
   std::size_t waiting_ = 0;
 };
 

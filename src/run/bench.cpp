@@ -14,7 +14,9 @@
 #include "estimator/walk_attenuation.hpp"
 #include "run/batches.hpp"
 #include "run/choose.hpp"
+#include "run/free_meetings.hpp"
 #include "scene/forward_settings.hpp"
+#include "scene/walk_settings.hpp"
 #include "scene/waves.hpp"
 #include "schedule/engines.hpp"
 
@@ -41,8 +43,10 @@ Candidate candidate(const scene::Scene& scene, scene::Estimator estimator,
   s.target_relative_error.reset();
   s.max_time_s.reset();
   s.reception = defaults.reception;
-  s.walks = defaults.walks;
-  s.connected_fraction = defaults.connected_fraction;
+  s.conversion_probability = s.conversion_probability.value_or(scene::usual_conversion_probability);
+  s.walks = scene::usual_walks;
+  s.meetings = s.meetings.value_or(scene::usual_meetings);
+  s.connected_fraction = scene::usual_connected_fraction;
   s.walk_attenuation.reset();
   s.sampling = defaults.sampling;
   if (estimator == scene::Estimator::forward) {
@@ -63,10 +67,26 @@ Candidate bidirectional(const scene::Scene& scene, double walk_attenuation,
   return c;
 }
 
-std::vector<Candidate> candidates(const scene::Scene& scene, double highest_albedo) {
-  std::vector<Candidate> out;
+/// The choice of `auto`.
+Candidate chosen_by_auto(const scene::Scene& scene, const RunOptions& pilots) {
+  scene::Scene open = scene;
+  open.simulation.estimator = scene::Estimator::automatic;
+  open.simulation.estimator_reason.reset();
+  const auto chosen = estimator::make_model(choose_estimator(open, pilots)).scene.simulation;
+  Candidate c = candidate(scene, chosen.estimator, "as auto chooses");
+  c.simulation = chosen;
+  c.simulation.photons.reset();
+  c.simulation.target_relative_error.reset();
+  c.simulation.max_time_s.reset();
+  return c;
+}
+
+std::vector<Candidate> candidates(const scene::Scene& scene, const RunOptions& pilots) {
+  const estimator::Model model = estimator::make_model(scene);
+  const double highest_albedo = estimator::highest_albedo(model.medium);
+  std::vector<Candidate> out{chosen_by_auto(scene, pilots)};
   out.push_back(candidate(scene, scene::Estimator::forward, "forward, ray"));
-  const scene::Simulation& usual_forward = out.front().simulation;
+  const scene::Simulation usual_forward = out.back().simulation;
   for (const auto& [directed_fraction, scored_points] : scene::forward_settings(scene)) {
     if (directed_fraction == usual_forward.directed_fraction &&
         scored_points == usual_forward.scored_points)
@@ -86,6 +106,19 @@ std::vector<Candidate> candidates(const scene::Scene& scene, double highest_albe
   for (const double walk_attenuation : estimator::walk_attenuations(highest_albedo))
     out.push_back(bidirectional(scene, walk_attenuation));
   const double usual = estimator::usual_walk_attenuation(highest_albedo);
+  out.push_back(bidirectional(scene, usual, ", free walks"));
+  if (const auto free = usual_free_meetings(model, out.back().simulation, pilots)) {
+    out.back().simulation.free_telescope_meetings = free->telescope;
+    out.back().simulation.free_laser_meetings = free->laser;
+  } else {
+    out.pop_back();
+  }
+  if (model.medium.line.size() > 1) {
+    out.push_back(bidirectional(scene, usual, ", conversion 0.6"));
+    out.back().simulation.conversion_probability = 0.6;
+  }
+  out.push_back(bidirectional(scene, usual, ", meetings 30"));
+  out.back().simulation.meetings = 30;
   out.push_back(bidirectional(scene, usual, ", walks 4"));
   out.back().simulation.walks = 4;
   out.push_back(bidirectional(scene, usual, ", all connected"));
@@ -227,7 +260,11 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   out.reference = bench.result(reference.totals);
   out.reference_cpu_s = reference.cpu_s;
 
-  out.candidates = candidates(scene, albedo);
+  report("what auto chooses");
+  RunOptions pilots;
+  pilots.threads = options.threads;
+  pilots.interrupt = options.interrupt;
+  out.candidates = candidates(scene, pilots);
   // The reference has had all threads for as long as the candidates have together.
   const double cpu_s = reference.cpu_s * (1 - reference_share) / reference_share /
                        static_cast<double>(out.candidates.size());
@@ -236,16 +273,6 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
     measure(out.candidates[i], i, scene, out, cpu_s, options);
   }
   find_compared(out);
-
-  report("what auto chooses");
-  scene::Scene open = scene;
-  open.simulation.estimator = scene::Estimator::automatic;
-  open.simulation.estimator_reason.reset();
-  RunOptions pilots;
-  pilots.threads = options.threads;
-  pilots.interrupt = options.interrupt;
-  out.chosen_by_auto = estimator::make_model(choose_estimator(open, pilots)).scene.simulation;
-  if (options.interrupt != nullptr && options.interrupt->load()) throw Interrupted{};
   return out;
 }
 
@@ -293,6 +320,8 @@ std::optional<Comparison> compare_estimators(const scene::Scene& scene,
   try {
     return compare_all(scene, options);
   } catch (const Interrupted&) {
+    return std::nullopt;
+  } catch (const InterruptedPilots&) {
     return std::nullopt;
   }
 }

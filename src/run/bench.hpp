@@ -51,11 +51,10 @@ struct Comparison {
   tally::Result reference;  ///< names and gates too
   std::string reference_name;
   double reference_cpu_s = 0;
-  int repeats = 0;  ///< of each candidate
-  std::vector<Candidate> candidates;
+  int repeats = 0;                    ///< of each candidate
+  std::vector<Candidate> candidates;  ///< first the choice of estimator = "auto", with its reason
   std::vector<bool> compared;  ///< gates converged in the reference and known of all candidates
   Aim aim = Aim::all_gates;    ///< of the scene, by which one is recommended
-  scene::Simulation chosen_by_auto{};  ///< the choice of estimator = "auto", and the reason
 };
 
 /// A candidate's figure of merit [1/s] over the compared gates [first, last) of the flat cells, by

@@ -47,21 +47,13 @@ scene::Simulation usual_bidirectional(const estimator::Model& model) {
   return out;
 }
 
-/// The contenders: the settings that the scene leaves open.
+/// The contenders: estimators and settings that the scene leaves open.
 std::vector<Contender> contenders(const estimator::Model& model, const RunOptions& options) {
   const scene::Simulation& asked = model.scene.simulation;
-  std::vector<double> shares =
-      estimator::walk_attenuations(estimator::highest_albedo(model.medium));
-  if (asked.walk_attenuation) shares = {*asked.walk_attenuation};
   std::vector<Contender> out;
-  scene::Simulation bidirectional = usual_bidirectional(model);
-  const auto free = open_free_meetings(model, bidirectional, options);
-  for (const double share : shares) {
-    bidirectional.walk_attenuation = share;
-    add_bidirectional(bidirectional,
-                      fmt::format("bidirectional with walk_attenuation = {:.3g}", share), free,
-                      out);
-  }
+  const scene::Simulation bidirectional = usual_bidirectional(model);
+  add_bidirectional(bidirectional, "bidirectional",
+                    open_free_meetings(model, bidirectional, options), out);
   for (const auto& [directed_fraction, scored_points] : scene::forward_settings(model.scene)) {
     out.push_back({fmt::format("forward with directed_fraction = {} and scored_points = {}",
                                directed_fraction, scored_points),
@@ -70,6 +62,25 @@ std::vector<Contender> contenders(const estimator::Model& model, const RunOption
     out.back().simulation.directed_fraction = directed_fraction;
     out.back().simulation.scored_points = scored_points;
   }
+  return out;
+}
+
+/// The settings to be tried with the best of them, where the scene leaves them open.
+std::vector<Setting> settings_to_try(const estimator::Model& model) {
+  const scene::Simulation& asked = model.scene.simulation;
+  std::vector<Setting> out;
+  const auto add = [&](bool of_walks, const char* name, auto member, auto value) {
+    if (asked.*member) return;
+    out.push_back({fmt::format("{} = {:.3g}", name, static_cast<double>(value)), of_walks,
+                   [=](scene::Simulation& s) { s.*member = value; }});
+  };
+  using scene::Simulation;
+  if (model.medium.line.size() > 1)
+    add(false, "conversion_probability", &Simulation::conversion_probability, 0.6);
+  add(true, "meetings", &Simulation::meetings, 30.0);
+  add(true, "walks", &Simulation::walks, std::int64_t{4});
+  for (const double share : estimator::walk_attenuations(estimator::highest_albedo(model.medium)))
+    add(true, "walk_attenuation", &Simulation::walk_attenuation, share);
   return out;
 }
 
@@ -95,15 +106,21 @@ std::string reason(const std::vector<Contender>& all, const Outcome& outcome,
   for (std::size_t i = 0; i < all.size(); ++i) {
     out += fmt::format("{} {} {}", i == 0 ? "" : ",", all[i].name, text_of(outcome.standing[i]));
   }
+  for (std::size_t i = 0; i < outcome.tried.size(); ++i) {
+    const Tried& tried = outcome.tried[i];
+    out += fmt::format("{} {} {:.3g}{}", i == 0 ? "; then, against the best so far:" : ",",
+                       tried.name, tried.times_the_work, tried.taken ? " (taken)" : "");
+  }
   return out;
 }
 
-/// The estimator and settings of the best of those that contend. If no pilot saw anything: those
-/// that find light that is hard to find.
+/// The estimator and settings of the best of those that contend, and of `settings` those that are
+/// better still. If no pilot saw anything: those that find light that is hard to find.
 scene::Simulation best_of(const estimator::Model& model, const std::vector<Contender>& all,
+                          const std::vector<Setting>& settings,
                           const scene::Simulation& where_unseen, const RunOptions& options) {
-  const Outcome outcome = contend(model, all, options);
-  scene::Simulation best = outcome.best ? all[*outcome.best].simulation : where_unseen;
+  const Outcome outcome = contend(model, all, settings, options);
+  scene::Simulation best = outcome.best ? outcome.simulation : where_unseen;
   best.estimator_reason =
       outcome.best ? reason(all, outcome, model.scene.simulation) : reason_unseen;
   return best;
@@ -128,7 +145,7 @@ scene::Scene choose_free_walks(const scene::Scene& scene, const RunOptions& opti
   chosen.simulation = all.front().simulation;
   if (!free) return chosen;
   all.back().name = "with free walks";
-  chosen.simulation = best_of(model, all, all.back().simulation, options);
+  chosen.simulation = best_of(model, all, {}, all.back().simulation, options);
   return chosen;
 }
 
@@ -158,7 +175,8 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
     model.scene.simulation.free_telescope_meetings = free.free_telescope_meetings;
     model.scene.simulation.free_laser_meetings = free.free_laser_meetings;
   }
-  simulation = best_of(model, contenders(model, options), usual_bidirectional(model), options);
+  simulation = best_of(model, contenders(model, options), settings_to_try(model),
+                       usual_bidirectional(model), options);
   return chosen;
 }
 

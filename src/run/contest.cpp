@@ -10,7 +10,9 @@
 #include "estimator/random_blocks.hpp"
 #include "estimator/walk_attenuation.hpp"
 #include "run/batches.hpp"
+#include "run/prices.hpp"
 #include "scene/tally_memory.hpp"
+#include "scene/walk_settings.hpp"
 #include "tally/error_bars.hpp"
 #include "tally/totals.hpp"
 
@@ -29,8 +31,9 @@ constexpr std::uint64_t first_batches = 16, max_batches = 160;
 /// none knows more.
 constexpr double known_at_last = 0.01;
 
-/// The largest share of the operations of the run that pilots take.
-constexpr double pilots_share = 0.1;
+/// The largest shares of the operations of the run that pilots take: those of the contenders, and
+/// all.
+constexpr double contenders_share = 0.05, pilots_share = 0.1;
 /// A contender that needs so many times the work of the best after a stage does not come back.
 constexpr double clearly_worse = 8;
 /// Pilots for a run that ends by the clock alone have so many batches.
@@ -38,14 +41,6 @@ constexpr std::uint64_t usual_batches = 64;
 
 /// Sums that take more begin anew in each stage: those of several contenders are kept at once.
 constexpr double max_kept_bytes = 1e8;
-
-/// The cost of a run, in units of a forward photon's collision: a photon, whatever becomes of it,
-/// which is all there is in water that hardly scatters; a collision; a score offered to the
-/// tallies. Fitted to CPU times of lanes (docs/decisions/0038).
-struct Costs {
-  double photon, collision, score;
-};
-constexpr Costs forward_costs{1, 1, 1.4}, bidirectional_costs{1, 6.5, 1.8};
 
 /// The engine of pilots, whichever engine runs after them: choices are to be the same, and soon
 /// made. Scores of lanes are the same by any instructions, and so but for rounding are their sums.
@@ -88,18 +83,20 @@ class Trial {
     for (std::size_t cell = 0; cell < result.echo.mean.size(); ++cell)
       result.echo.standard_error[cell] =
           tally::standard_error(totals.state().echo[cell].low, totals.counted(cell));
-    const Costs& costs = forward_ ? forward_costs : bidirectional_costs;
     scores_ = static_cast<double>(totals.scores());
     const double before = keeps_ ? pilot_.cost : 0;
-    pilot_ = pilot_of(result, costs.photon * static_cast<double>(result.photons) +
-                                  costs.collision * static_cast<double>(result.collisions) +
-                                  costs.score * static_cast<double>(totals.scores()));
-    operations_ += pilot_.cost - before;
+    const double cost = instructions(forward_ ? forward_prices : bidirectional_prices,
+                                     totals.state(), model_.shape.environments);
+    pilot_ = pilot_of(result, cost, share_between_estimators);
+    pilot_of_setting_ = pilot_of(result, cost, share_between_settings);
+    operations_ += cost - before;
     if (keeps_)
       so_far_ = Start{.state = std::move(totals).state(), .wall_time_s = 0, .file = "a pilot run"};
   }
 
   [[nodiscard]] const Pilot& pilot() const { return pilot_; }
+  /// As it is compared with another setting of the same estimator.
+  [[nodiscard]] const Pilot& pilot_of_setting() const { return pilot_of_setting_; }
   [[nodiscard]] std::uint64_t photons() const { return photons_; }
   [[nodiscard]] double scores() const { return scores_; }
   /// The operations of all stages.
@@ -115,33 +112,39 @@ class Trial {
   bool keeps_;
   std::optional<Start> so_far_;
   double operations_ = 0, scores_ = 0;
-  Pilot pilot_;
+  Pilot pilot_, pilot_of_setting_;
 };
 
 class Contest {
  public:
   Contest(const estimator::Model& model, const std::vector<Contender>& contenders,
           const RunOptions& options)
-      : asked_(model.scene.simulation), options_(options) {
-    const std::uint64_t in_batch =
-        std::clamp(asked_.photons.value_or(std::numeric_limits<std::uint64_t>::max()) /
-                       (first_batches * min_in_batch),
-                   min_in_batch, max_in_batch);
-    for (const Contender& c : contenders) trials_.emplace_back(model, c, in_batch);
+      : model_(model), asked_(model.scene.simulation), options_(options) {
+    in_batch_ = std::clamp(asked_.photons.value_or(std::numeric_limits<std::uint64_t>::max()) /
+                               (first_batches * min_in_batch),
+                           min_in_batch, max_in_batch);
+    for (const Contender& c : contenders) trials_.emplace_back(model, c, in_batch_);
     for (std::size_t i = 0; i < trials_.size(); ++i) staying_.push_back(i);
     out_.standing.resize(trials_.size());
     out_.aim = aim_of(asked_);
   }
 
-  Outcome decide() {
-    std::uint64_t batches = first_batches;
-    for (stage(batches); goes_on(batches); stage(batches)) {
-      batches = next(batches);
+  /// The best contender.
+  std::optional<std::size_t> decide() {
+    for (stage(batches_); goes_on(batches_); stage(batches_)) {
+      batches_ = next(batches_);
       for (Standing& standing : out_.standing) standing.given_up_early = true;
       for (const std::size_t i : staying_) out_.standing[i].given_up_early = false;
     }
-    return std::move(out_);
+    return out_.best;
   }
+
+  /// Tries settings with the best contender, whose simulation is `best`.
+  void try_settings(const std::vector<Setting>& settings, const scene::Simulation& best) {
+    out_.simulation = best;
+    for (const Setting& setting : settings) try_with_best(setting);
+  }
+  Outcome outcome() && { return std::move(out_); }
 
  private:
   static std::uint64_t next(std::uint64_t batches) { return std::min(2 * batches, max_batches); }
@@ -160,11 +163,10 @@ class Contest {
     out_.operations = 0;
     for (const Trial& trial : trials_) out_.operations += trial.operations();
     const std::vector<Pilot> now = pilots();
-    const std::vector<bool> compared = gates_compared(
-        now, known_at_last * static_cast<double>(max_batches) / static_cast<double>(batches));
+    const std::vector<bool> compared = gates_compared(now, known_to());
     const auto best = best_of(now, compared, out_.aim);
     if (!best) return;
-    out_.best = staying_[*best];
+    out_.best = best_ = staying_[*best];
     out_.gates = static_cast<std::size_t>(std::ranges::count(compared, true));
     work_ = std::exp(badness(now[*best], compared, out_.aim));
     std::vector<std::size_t> stay;
@@ -177,11 +179,41 @@ class Contest {
     staying_ = std::move(stay);
   }
 
+  /// The squared error that a gate has to be known to after so many batches as there are.
+  [[nodiscard]] double known_to() const {
+    return known_at_last * static_cast<double>(max_batches) / static_cast<double>(batches_);
+  }
+
+  void try_with_best(const Setting& setting) {
+    if (setting.of_walks && out_.simulation.estimator != scene::Estimator::bidirectional) return;
+    const Pilot best = trials_[best_].pilot_of_setting();
+    scene::Simulation changed = out_.simulation;
+    setting.apply(changed);
+    if (changed == out_.simulation || !affords(best.cost)) return;
+    trials_.emplace_back(model_, Contender{setting.name, changed}, in_batch_);
+    trials_.back().go_on_to(batches_, options_);
+    out_.operations += trials_.back().operations();
+    const std::vector<Pilot> both{best, trials_.back().pilot_of_setting()};
+    const std::vector<bool> compared = gates_compared(both, known_to());
+    const double work = std::exp(badness(both[1], compared, out_.aim));
+    const bool taken = best_of(both, compared, out_.aim) == 1U;
+    out_.tried.push_back(
+        {setting.name, work / std::exp(badness(both[0], compared, out_.aim)), taken});
+    if (!taken) return;
+    best_ = trials_.size() - 1;
+    work_ = work;
+    out_.simulation = changed;
+  }
+  [[nodiscard]] bool affords(double operations) const {
+    const auto expected = expected_operations();
+    return !expected || out_.operations + operations <= pilots_share * *expected;
+  }
+
   /// The operations of the run, as the best pilot predicts them; none: it ends by the clock.
   [[nodiscard]] std::optional<double> expected_operations() const {
     std::optional<double> out;
     if (asked_.photons) {
-      out = trials_[*out_.best].cost_per_photon() * static_cast<double>(*asked_.photons);
+      out = trials_[best_].cost_per_photon() * static_cast<double>(*asked_.photons);
     }
     if (asked_.target_relative_error) {
       const double to_target = work_ / std::pow(*asked_.target_relative_error, 2);
@@ -197,13 +229,16 @@ class Contest {
     const double factor = static_cast<double>(next(batches)) / static_cast<double>(batches);
     double then = out_.operations;
     for (const std::size_t i : staying_) then += (factor - 1) * trials_[i].pilot().cost;
-    return then <= pilots_share * *expected;
+    return then <= contenders_share * *expected;
   }
 
+  const estimator::Model& model_;
   const scene::Simulation& asked_;
   const RunOptions& options_;
+  std::uint64_t in_batch_ = min_in_batch, batches_ = first_batches;
   std::vector<Trial> trials_;
   std::vector<std::size_t> staying_;  ///< of the trials, ascending
+  std::size_t best_ = 0;              ///< of the trials
   double work_ = 0;                   ///< of the best one
   Outcome out_;
 };
@@ -215,13 +250,16 @@ PilotScores scores_of_first_pilot(const estimator::Model& model,
   Trial trial(model, {{}, simulation}, min_in_batch);
   trial.go_on_to(first_batches, options);
   const double receivers = static_cast<double>(estimator::count_receivers(model));
-  return {trial.scores(),
-          static_cast<double>(trial.photons()) * receivers / static_cast<double>(simulation.walks)};
+  return {trial.scores(), static_cast<double>(trial.photons()) * receivers /
+                              static_cast<double>(simulation.walks.value_or(scene::usual_walks))};
 }
 
 Outcome contend(const estimator::Model& model, const std::vector<Contender>& contenders,
-                const RunOptions& options) {
-  return Contest(model, contenders, options).decide();
+                const std::vector<Setting>& settings, const RunOptions& options) {
+  Contest contest(model, contenders, options);
+  if (const auto best = contest.decide())
+    contest.try_settings(settings, contenders[*best].simulation);
+  return std::move(contest).outcome();
 }
 
 }  // namespace photic::run

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,20 +27,37 @@ struct Standing {
   bool given_up_early = false;  ///< others went on
 };
 
+/// A setting to be tried with the best contender.
+struct Setting {
+  std::string name;
+  bool of_walks = true;  ///< of the bidirectional estimator alone
+  std::function<void(scene::Simulation&)> apply;
+};
+
+/// The fate of a setting.
+struct Tried {
+  std::string name;
+  double times_the_work = 1;  ///< against the best so far without it
+  bool taken = false;
+};
+
 struct Outcome {
   std::optional<std::size_t> best;  ///< none: no pilot saw any light
+  scene::Simulation simulation;     ///< of the best, with the settings that were taken
   Aim aim = Aim::all_gates;
   std::size_t gates = 0;           ///< that were compared in the last stage
   std::vector<Standing> standing;  ///< of every contender
-  double operations = 0;           ///< that all pilots took, counted
+  std::vector<Tried> tried;        ///< one after another
+  double operations = 0;           ///< that all pilots took, by prices.hpp
 };
 
-/// Lets them contend for a simulation of a model whose estimator is open. Pilots have random
-/// numbers of their own. They are judged by variances and counted operations, never by a clock, and
-/// take at most a tenth of the operations that the simulation is expected to take, but for a first
-/// stage; `max_time_s` is not looked at. Throws InterruptedPilots, and what run() throws.
+/// Lets them contend for a simulation of a model whose estimator is open, and then tries the
+/// settings one after another, each with the best so far. Pilots have random numbers of their own.
+/// They are judged by variances and counted operations, never by a clock, and take at most a tenth
+/// of the operations that the simulation is expected to take, but for a first stage; `max_time_s`
+/// is not looked at. Throws InterruptedPilots, and what run() throws.
 Outcome contend(const estimator::Model& model, const std::vector<Contender>& contenders,
-                const RunOptions& options);
+                const std::vector<Setting>& settings, const RunOptions& options);
 
 /// Scores of the first pilot of a bidirectional estimator, and the sets of walks that made them.
 struct PilotScores {

@@ -2,28 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace photic::run {
 namespace {
 
-/// A short run of a heavy-tailed estimator looks better than it is: its error is made of few large
-/// scores, and larger ones have not come yet. No single score is taken to carry more than this
-/// share of the squared error (docs/decisions/0038).
-constexpr double largest_share_of_squared_error = 0.05;
 /// The squared error of a gate without scores, equal to that of one score: a pilot that saw one is
 /// no worse.
-constexpr double unknown_squared_error = 1 / largest_share_of_squared_error;
+constexpr double unknown_squared_error = 1 / share_between_estimators;
 /// No error is known to be smaller: they are differences of rounded sums.
 constexpr double min_squared_error = 1e-16;
 
-bool is_better(const Pilot& a, const Pilot& b, const std::vector<bool>& compared, Aim aim) {
-  if (a.rows_seen != b.rows_seen) return a.rows_seen > b.rows_seen;
-  return badness(a, compared, aim) < badness(b, compared, aim);
-}
+/// Pilots know the work of an estimator to about this factor (docs/decisions/0052).
+constexpr double alike = 1.2;
 
 }  // namespace
 
-Pilot pilot_of(const tally::Result& result, double cost) {
+Pilot pilot_of(const tally::Result& result, double cost, double largest_share) {
   Pilot out{.cost = cost};
   bool row_seen = false;
   for (std::size_t cell = 0; cell < result.echo.mean.size(); ++cell) {
@@ -35,7 +30,7 @@ Pilot pilot_of(const tally::Result& result, double cost) {
     row_seen = true;
     const double largest = result.largest_score_share[cell];
     squared_error = std::max({min_squared_error, relative * relative,
-                              largest * largest / largest_share_of_squared_error});
+                              largest * largest / largest_share});
   }
   return out;
 }
@@ -64,10 +59,18 @@ double badness(const Pilot& pilot, const std::vector<bool>& compared, Aim aim) {
 
 std::optional<std::size_t> best_of(const std::vector<Pilot>& pilots,
                                    const std::vector<bool>& compared, Aim aim) {
+  const std::size_t rows = std::ranges::max(pilots, {}, &Pilot::rows_seen).rows_seen;
+  if (rows == 0) return std::nullopt;
+  const auto log_work = [&](const Pilot& pilot) {
+    return pilot.rows_seen == rows ? badness(pilot, compared, aim)
+                                   : std::numeric_limits<double>::infinity();
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (const Pilot& pilot : pilots) least = std::min(least, log_work(pilot));
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < pilots.size(); ++i) {
-    if (pilots[i].rows_seen == 0) continue;
-    if (!best || is_better(pilots[i], pilots[*best], compared, aim)) best = i;
+    if (log_work(pilots[i]) > least + std::log(alike)) continue;
+    if (!best || pilots[i].cost < pilots[*best].cost) best = i;
   }
   return best;
 }

@@ -107,13 +107,15 @@ void describe(V& v, Simulation& s) {
   v.optional(
       expert("conversion_probability"), s.conversion_probability, between(0.0, 1.0),
       "the share of collisions followed into an inelastic process; in walks from telescopes, "
-      "of free paths as long as the laser's light would have");
+      "of free paths as long as the laser's light would have; by default 0.3, or as pilot runs of "
+      "auto find best");
   v.optional(expert("walks"), s.walks, Count{1, 100},
              "of the bidirectional estimator: walks from the laser, and from each telescope, that "
-             "are all connected with each other");
+             "are all connected with each other; by default 2, or as pilot runs of auto find best");
   v.optional(expert("meetings"), s.meetings, Number{.low = 0.0, .high = 1e5, .low_open = true},
              "of the bidirectional estimator: how often two rays are made to meet, over the range "
-             "of the gates; an eighth and a quarter as often in paths of one vertex and of two");
+             "of the gates; an eighth and a quarter as often in paths of one vertex and of two; by "
+             "default 100, or as pilot runs of auto find best");
   v.optional(expert("free_telescope_meetings"), s.free_telescope_meetings,
              Number{.low = 0.0, .high = 1e5},
              "of the bidirectional estimator: how often two rays are made to meet, per metre of "
@@ -124,7 +126,7 @@ void describe(V& v, Simulation& s) {
       expert("connected_fraction"), s.connected_fraction,
       Number{.low = 0.0, .high = 1.0, .low_open = true},
       "of the bidirectional estimator: the share of the telescopes' walks whose vertices are "
-      "connected with those of a laser's walk; the others only meet it");
+      "connected with those of a laser's walk; the others only meet it; by default 0.3");
   v.optional(expert("walk_attenuation"), s.walk_attenuation, between(0.0, 1.0),
              "of the bidirectional estimator: the share of the water's attenuation that its free "
              "paths are drawn from; by default 0.6, or 0.9 in water that scatters more than two "

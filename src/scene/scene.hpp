@@ -268,13 +268,17 @@ struct Simulation {
   std::optional<double> directed_fraction;
   /// Forward: of each flight; 1: where photons collide only. None of the two: forward_settings.hpp.
   std::optional<std::int64_t> scored_points;
-  double conversion_probability = 0.3;  ///< of a branch into an inelastic process, per collision
-  std::int64_t walks = 2;  ///< bidirectional: of the laser, and of each telescope, in a set
-  double meetings = 100;   ///< bidirectional: of two rays, if all depths of the gates let them meet
+  // Where one of the next four is not named: walk_settings.hpp, or by pilot runs.
+  /// Of a branch into an inelastic process, per collision.
+  std::optional<double> conversion_probability;
+  /// Bidirectional: of the laser, and of each telescope, in a set.
+  std::optional<std::int64_t> walks;
+  /// Bidirectional: of two rays, if all depths of the gates let them meet.
+  std::optional<double> meetings;
+  /// Bidirectional: share of walks whose vertices are all connected.
+  std::optional<double> connected_fraction;
   /// Bidirectional: of two rays by free walks, per metre of depth; none: by pilot runs, or 0.
   std::optional<double> free_telescope_meetings, free_laser_meetings;
-  double connected_fraction =
-      0.3;  ///< bidirectional: share of walks whose vertices are all connected
   std::optional<double> walk_attenuation;  ///< bidirectional: share of c that free paths are drawn
                                            ///< from; none: as the water asks for
   Sampling sampling = Sampling::quasi_random;

@@ -125,18 +125,21 @@ class BatchTally {
   void score(const Score& s) { score(s, bins(s.path, s.depth)); }
   /// The same of which it is known where it belongs.
   void score(const Score& s, const Bins<std::int32_t>& at) {
-    each_gate(s, at.gate, [&](std::int32_t gate, double part) {
-      each_cell(s, gate,
-                [&](std::size_t cell, double share) { add(s, at.depth, cell, part * share); });
+    const Light& light = light_[static_cast<std::size_t>(s.light)];
+    each_gate(s, light, at.gate, [&](std::int32_t gate, double part) {
+      each_cell(s, light, gate, [&](std::size_t cell, double share) {
+        add(s, light, at.depth, cell, part * share);
+      });
     });
   }
   /// The same with environments, in which the score is ratios[e] times as large; there are whole
   /// groups of EnvironmentScores::size of them, the last ones perhaps of no environment.
   template <class Number>
   void score(const Score& s, const Bins<std::int32_t>& at, const Number* ratios) {
-    each_gate(s, at.gate, [&](std::int32_t gate, double part) {
-      each_cell(s, gate, [&](std::size_t cell, double share) {
-        if (!add(s, at.depth, cell, part * share)) return;
+    const Light& light = light_[static_cast<std::size_t>(s.light)];
+    each_gate(s, light, at.gate, [&](std::int32_t gate, double part) {
+      each_cell(s, light, gate, [&](std::size_t cell, double share) {
+        if (!add(s, light, at.depth, cell, part * share)) return;
         for (std::size_t g = 0; g < environment_groups; ++g)
           environment[cell * environment_groups + g].add(s.value * (part * share),
                                                          ratios + g * EnvironmentScores::size);
@@ -194,13 +197,13 @@ class BatchTally {
 
   /// Calls act(gate, share) for the gates that a score falls into, if it is one.
   template <class Act>
-  void each_gate(const Score& s, std::int32_t at_once, Act act) {
+  void each_gate(const Score& s, const Light& light, std::int32_t at_once, Act act) {
     ++scores;
     if (!(s.value > 0)) {
       if (std::isnan(s.value)) ++not_finite;
       return;
     }
-    if (const Decay* decay = light_[static_cast<std::size_t>(s.light)].decay) {
+    if (const Decay* decay = light.decay) {
       decay->spread(s.path, *gates_, shares_);
       for (const auto& [gate, share] : shares_) act(gate, share);
     } else if (at_once >= 0) {
@@ -209,10 +212,9 @@ class BatchTally {
   }
   /// Calls act(cell, share) for the channels that count a score.
   template <class Act>
-  void each_cell(const Score& s, std::int32_t gate, Act act) const {
+  void each_cell(const Score& s, const Light& light, std::int32_t gate, Act act) const {
     const std::size_t at = s.telescope * cells_of_telescope_ + static_cast<std::size_t>(gate);
-    for (const auto& [first_cell, share] : light_[static_cast<std::size_t>(s.light)].counting)
-      act(at + first_cell, share);
+    for (const auto& [first_cell, share] : light.counting) act(at + first_cell, share);
   }
   /// A telescope's scores are added to those of the next wider one.
   struct Pass {
@@ -226,7 +228,7 @@ class BatchTally {
   /// Adds to a sum of a profile.
   void add_to_profile(std::size_t cell, std::size_t at, double value);
   /// Adds a share of a score to a cell. Returns whether its echo has it.
-  bool add(const Score& s, std::int32_t depth, std::size_t cell, double share);
+  bool add(const Score& s, const Light& light, std::int32_t depth, std::size_t cell, double share);
 
   const Shape* shape_;
   const Gates* gates_;
@@ -251,7 +253,8 @@ inline void BatchTally::add_to_profile(std::size_t cell, std::size_t at, double 
   profile.sums[at] += value;
 }
 
-inline bool BatchTally::add(const Score& s, std::int32_t depth, std::size_t cell, double share) {
+inline bool BatchTally::add(const Score& s, const Light& light, std::int32_t depth,
+                            std::size_t cell, double share) {
   const double value = s.value * share;
   if (!(value > 0)) return false;  // a share of nothing: the cell would be touched twice
   CellScores& here = cells[cell];
@@ -263,7 +266,6 @@ inline bool BatchTally::add(const Score& s, std::int32_t depth, std::size_t cell
   }
   here.add(value);
   ++octaves[kind_of(s.technique)][cell][static_cast<std::size_t>(score_octave(value))];
-  const Light& light = light_[static_cast<std::size_t>(s.light)];
   const std::size_t order = std::min(static_cast<std::size_t>(s.order), last_order_bin_);
   double* const of_cell = &parts[cell * parts_size];
   of_cell[order] += value;             // the first two grids, which are always there,

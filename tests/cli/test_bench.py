@@ -11,11 +11,14 @@ import pytest
 from test_interrupt import wait_until_it_listens
 
 CANDIDATES = [
+    "as auto chooses",
     "forward, ray",
     "forward, ray, 0.25 directed, points 1",
     "forward, overlap (approximate)",
     "bidirectional, 0.6",
     "bidirectional, 0.9",
+    "bidirectional, 0.6, free walks",
+    "bidirectional, 0.6, meetings 30",
     "bidirectional, 0.6, walks 4",
     "bidirectional, 0.6, all connected",
     "bidirectional, 0.6, random",

@@ -31,7 +31,7 @@ Outcome outcome_of(const estimator::Model& model, int threads = 1) {
   options.threads = threads;
   return contend(model,
                  {contender(scene::Estimator::bidirectional), contender(scene::Estimator::forward)},
-                 options);
+                 {}, options);
 }
 
 // Seen red: with pilots of a fixed size.
@@ -64,7 +64,7 @@ TEST(Contest, GivesUpWhatIsClearlyWorse) {
       contend(model,
               {contender(scene::Estimator::bidirectional),
                contender(scene::Estimator::bidirectional), contender(scene::Estimator::analog)},
-              {});
+              {}, {});
   EXPECT_TRUE(outcome.standing[2].given_up_early);
   EXPECT_FALSE(outcome.standing[0].given_up_early);
   EXPECT_EQ(outcome.standing[0].photons, 10240U);
@@ -75,7 +75,7 @@ TEST(Contest, TriesEachWithItsOwnWalks) {
   Contender other = contender(scene::Estimator::bidirectional);
   other.simulation.walk_attenuation = 0.9;
   const Outcome outcome =
-      contend(model_of(1000), {contender(scene::Estimator::bidirectional), other}, {});
+      contend(model_of(1000), {contender(scene::Estimator::bidirectional), other}, {}, {});
   EXPECT_NE(outcome.standing[0].times_the_work, outcome.standing[1].times_the_work);
 }
 

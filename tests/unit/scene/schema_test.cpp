@@ -96,7 +96,9 @@ std::set<std::string> keys_of_scenes() {
             "wavelength_nm = 532, a_per_m = 0, b_per_m = 1 }] }] }"},
            {"environment=[{ set = {} }]", "sensitivity=['sea.layer.0.chlorophyll_mg_m3']"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }",
-            "simulation.free_telescope_meetings=1", "simulation.free_laser_meetings=1"}})
+            "simulation.free_telescope_meetings=1", "simulation.free_laser_meetings=1",
+            "simulation.conversion_probability=0.5", "simulation.walks=3", "simulation.meetings=10",
+            "simulation.connected_fraction=0.5"}})
     collect_keys(json::parse(write_scene_json(base_scene(overrides))), keys);
   return keys;
 }

@@ -210,10 +210,6 @@ photons = 1000000
 orders_kept = 6
 seed = 1
 reception = "ray"
-conversion_probability = 0.3
-walks = 2
-meetings = 100.0
-connected_fraction = 0.3
 sampling = "quasi-random"
 
 [simulation.tools]
