@@ -28,15 +28,16 @@ Json settings_of(const scene::Simulation& s) {
             {"reception", scene::word_of(s.reception)},
             {"directed_fraction", s.directed_fraction.value()},
             {"scored_points", s.scored_points.value()}};
-  return {{"estimator", scene::word_of(s.estimator)},
-          {"walk_attenuation", s.walk_attenuation.value()},
-          {"conversion_probability", s.conversion_probability.value()},
-          {"meetings", s.meetings.value()},
-          {"free_telescope_meetings", s.free_telescope_meetings.value_or(0)},
-          {"free_laser_meetings", s.free_laser_meetings.value_or(0)},
-          {"walks", s.walks.value()},
-          {"connected_fraction", s.connected_fraction.value()},
-          {"sampling", scene::word_of(s.sampling)}};
+  Json out = {{"estimator", scene::word_of(s.estimator)},
+              {"walk_attenuation", s.walk_attenuation.value()},
+              {"meetings", s.meetings.value()},
+              {"free_telescope_meetings", s.free_telescope_meetings.value_or(0)},
+              {"free_laser_meetings", s.free_laser_meetings.value_or(0)},
+              {"walks", s.walks.value()},
+              {"connected_fraction", s.connected_fraction.value()},
+              {"sampling", scene::word_of(s.sampling)}};
+  if (s.conversion_probability) out["conversion_probability"] = *s.conversion_probability;
+  return out;
 }
 
 std::string as_toml(const Json& settings) {

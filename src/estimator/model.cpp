@@ -14,6 +14,7 @@
 #include "estimator/random_blocks.hpp"
 #include "estimator/round_earth.hpp"
 #include "estimator/strategies.hpp"
+#include "estimator/unused_settings.hpp"
 #include "estimator/walk_attenuation.hpp"
 #include "estimator/walk_cones.hpp"
 #include "medium/build.hpp"
@@ -161,11 +162,13 @@ std::uint64_t batch_photons(const scene::Simulation& simulation) {
 scene::Check optics_check() {
   return [library = std::shared_ptr<const optics::Library>()](const scene::Scene& scene,
                                                               scene::Findings& findings) mutable {
+    const bool is_the_scene = !library;  // asked about first; its environments have its settings
     if (!library) library = std::make_shared<const optics::Library>(optics::find_data_folder());
     check_walk_attenuation(scene, medium::check_medium(scene, *library, findings), findings);
     medium::check_environments(scene, *library, findings);
     check_focus(scene, findings);
     check_round_earth(scene, findings);
+    if (is_the_scene) check_unused_settings(scene, *library, findings);
   };
 }
 
@@ -185,8 +188,11 @@ void check_instruments(const scene::Scene& scene, const medium::Medium& medium) 
                      .suggestion = "run some of the telescopes in a scene of their own"}});
 }
 
-/// Names the settings of an estimator that a scene leaves open.
-void name_settings(const scene::Scene& scene, const medium::Medium& medium, scene::Simulation& s) {
+/// Names the settings of an estimator that a scene leaves open, and leaves out those that it does
+/// not use.
+void name_settings(const scene::Scene& scene, const medium::Medium& medium,
+                   scene::Scene& effective) {
+  scene::Simulation& s = effective.simulation;
   if (s.estimator == scene::Estimator::automatic) return;
   const auto name = [](auto& setting, auto usual) { setting = setting.value_or(usual); };
   s.batch_photons = batch_photons(scene.simulation);
@@ -202,6 +208,7 @@ void name_settings(const scene::Scene& scene, const medium::Medium& medium, scen
     s.directed_fraction = scene::directed_fraction_in(scene);
     s.scored_points = scene::scored_points_in(scene);
   }
+  s = without_unused_settings(effective, medium);
 }
 
 }  // namespace
@@ -228,7 +235,7 @@ Model make_model(const scene::Scene& scene) {
   }
   tally::Gates gates(effective, medium.line, apparent_path);
   auto shape = make_shape(scene, medium, air.has_value(), gates);
-  name_settings(scene, medium, effective.simulation);
+  name_settings(scene, medium, effective);
   auto paths = free_paths(medium, scene.simulation);
   auto averaged = averaged_phases(scene, medium);
   return {std::move(effective),

@@ -43,7 +43,6 @@ Candidate candidate(const scene::Scene& scene, scene::Estimator estimator,
   s.target_relative_error.reset();
   s.max_time_s.reset();
   s.reception = defaults.reception;
-  s.conversion_probability = s.conversion_probability.value_or(scene::usual_conversion_probability);
   s.walks = scene::usual_walks;
   s.meetings = s.meetings.value_or(scene::usual_meetings);
   s.connected_fraction = scene::usual_connected_fraction;

@@ -186,6 +186,8 @@ std::pair<std::string, std::string> what_to_lessen(const TallyMemory& memory, co
 /// The mean over a lens takes the whole of it at one angle of scattering.
 void check_reception(const Scene& scene, Findings& findings) {
   if (scene.simulation.reception != Reception::overlap) return;
+  const Estimator asked = scene.simulation.estimator;
+  if (asked != Estimator::forward && asked != Estimator::automatic) return;  // it has no effect
   if (std::ranges::any_of(scene.telescope, [](const auto& t) { return t.position_m.z < 0; }) &&
       findings.good({"simulation.reception", "telescope"}))
     findings.remark("simulation.reception",

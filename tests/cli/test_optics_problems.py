@@ -123,6 +123,21 @@ def test_a_step_that_is_changed_is_remarked_on(photic, scene):
         assert (done.returncode, done.stderr) == (0, remark)
 
 
+# Seen red: without the remarks; with a result's scene that keeps the setting.
+def test_a_setting_without_effect_is_remarked_on_once(photic, scene):
+    scene.write_text(QUICK_SCENE + "walks = 3\n")
+    remark = (
+        "quick.toml:31:9: 'walks' has no effect: the forward estimator has no walks; "
+        'leave it out, or write estimator = "bidirectional"\n'
+    )
+    for command in [["check"], ["run", "-o", "quick.nc", "--photons", "1000"]]:
+        done = photic(*command, "quick.toml")
+        assert (done.returncode, done.stderr) == (0, remark)
+    scene.write_text(photic("show", "quick.nc").stdout)
+    done = photic("check", "quick.toml")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "quick.toml: no problems\n", "")
+
+
 def test_missing_data_do_not_hide_what_is_wrong_with_the_scene(photic, scene, tmp_path):
     missing = {"env": {"PHOTIC_DATA": str(tmp_path)}}
     assert photic("check", "quick.toml", **missing).returncode == 1

@@ -259,18 +259,19 @@ TEST(Checks, ATelescopeThatLooksUpHasNoDepths) {
                                       "gates have times, but no depths"}));
 }
 
-// Seen red: without the remark; with it for lenses in the air, too.
+// Seen red: without the remark; with it for lenses in the air, too; for walks, which do not use it.
 TEST(Checks, RemarkOnTheMeanOverALensInTheWater) {
-  const auto remarks = [](const std::string& z) {
+  const auto remarks = [](const std::string& z, const std::string& estimator = "forward") {
     const std::string text = edited({});
     return read_scene_text(text, "scene.toml", "/",
-                           {{"simulation.estimator=forward"},
+                           {{"simulation.estimator=" + estimator},
                             {"simulation.reception=overlap"},
                             {"gates={ start_ns = 0, stop_ns = 100, step_ns = 10 }"},
                             {"telescope.0.position_m=[0, 0, " + z + "]"}})
         .remarks;
   };
   EXPECT_EQ(remarks("12"), std::vector<std::string>{});
+  EXPECT_EQ(remarks("-1", "bidirectional"), std::vector<std::string>{});
   EXPECT_EQ(
       remarks("-1"),
       (std::vector<std::string>{
