@@ -127,7 +127,7 @@ def test_a_step_that_is_changed_is_remarked_on(photic, scene):
 def test_a_setting_without_effect_is_remarked_on_once(photic, scene):
     scene.write_text(QUICK_SCENE + "walks = 3\n")
     remark = (
-        "quick.toml:31:9: 'walks' has no effect: the forward estimator has no walks; "
+        "quick.toml:32:9: 'walks' has no effect: the forward estimator has no walks; "
         'leave it out, or write estimator = "bidirectional"\n'
     )
     for command in [["check"], ["run", "-o", "quick.nc", "--photons", "1000"]]:
