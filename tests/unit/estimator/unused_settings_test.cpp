@@ -39,7 +39,7 @@ const std::string of_walks =
 const std::string of_histories = "directed_fraction = 0.4\nscored_points = 2\n";
 const std::string raman = R"(process = "raman")";
 
-// Seen red: with each of the six left out; with the reason of analog photons for both.
+// Seen red: without the row of `walks`.
 TEST(UnusedSettings, OfWalksWhereThereAreNone) {
   const auto all = [](const std::string& why) {
     return Texts{"scene.toml:30:9: 'walks'" + why,
@@ -58,8 +58,8 @@ TEST(UnusedSettings, OfWalksWhereThereAreNone) {
   EXPECT_EQ(remarks(of_walks + of_histories + "estimator = \"auto\""), Texts{});
 }
 
-// Where it has no choice. Seen red: with auto taken for one that may choose; with the advice to
-// write what would be refused.
+// Where it has no choice. Seen red: without regard to tools; to waves; with the advice to write
+// what would be refused.
 TEST(UnusedSettings, OfWalksWhereAutoTakesTheForwardEstimator) {
   const std::string place = "scene.toml:30:9: 'walks' has no effect: ";
   const Overrides tools{"simulation.tools.forced_collisions=1"};
@@ -76,7 +76,7 @@ TEST(UnusedSettings, OfWalksWhereAutoTakesTheForwardEstimator) {
                     "by rays within 12 degrees of the horizontal; leave it out"});
 }
 
-// Seen red: with each of the four left out; with an estimator's reason for the other's.
+// Seen red: without the row of `tools.weight_threshold`.
 TEST(UnusedSettings, OfTheForwardEstimatorWhereItHasNoHistories) {
   const Overrides more{"simulation.reception=overlap", "simulation.tools.weight_threshold=0.2"};
   const auto all = [](const std::string& why) {
@@ -148,8 +148,8 @@ TEST(UnusedSettings, OfConversionsWhereNothingIsConverted) {
                     "out"});
 }
 
-// Seen red: without the rule; with the laser's reason for telescopes; with 0 taken for a wish; in
-// air, whose walks may be free where those in the water are not.
+// Seen red: without the rule; with the laser's reason for telescopes; in air, whose walks may be
+// free where those in the water are not.
 TEST(UnusedSettings, OfFreeWalksThatCannotBe) {
   const std::string free = "free_telescope_meetings = 1\nfree_laser_meetings = 2\n";
   const std::string walks = free + "estimator = \"bidirectional\"";
