@@ -101,10 +101,7 @@ class Rules {
     if (!asked_.conversion_probability) return {};
     if (asked_.estimator == Estimator::analog)
       return Unused{"analog photons are converted as often as the water converts them"};
-    if (std::ranges::any_of(medium_().line, [](const medium::Line& line) {
-          return line.process != medium::Process::elastic && line.process != medium::Process::oil;
-        }))
-      return {};
+    if (converts_light(medium_())) return {};
     return Unused{"no light that a channel counts is converted in the water"};
   }
 
@@ -149,6 +146,12 @@ Simulation replaced(const scene::Scene& scene, const MediumOfScene& medium, cons
 }
 
 }  // namespace
+
+bool converts_light(const medium::Medium& medium) {
+  return std::ranges::any_of(medium.line, [](const medium::Line& line) {
+    return line.process != medium::Process::elastic && line.process != medium::Process::oil;
+  });
+}
 
 void check_unused_settings(const scene::Scene& scene, const optics::Library& library,
                            scene::Findings& findings) {

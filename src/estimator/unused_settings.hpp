@@ -8,6 +8,9 @@
 
 namespace photic::estimator {
 
+/// Returns whether the water converts light that a channel counts.
+bool converts_light(const medium::Medium& medium);
+
 /// Remarks on each of them. Where "auto" may choose the estimator of a setting, the setting counts
 /// as used.
 void check_unused_settings(const scene::Scene& scene, const optics::Library& library,

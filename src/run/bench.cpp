@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "estimator/model.hpp"
 #include "estimator/random_blocks.hpp"
+#include "estimator/unused_settings.hpp"
 #include "estimator/walk_attenuation.hpp"
 #include "run/batches.hpp"
 #include "run/choose.hpp"
@@ -112,7 +113,7 @@ std::vector<Candidate> candidates(const scene::Scene& scene, const RunOptions& p
   } else {
     out.pop_back();
   }
-  if (model.medium.line.size() > 1) {
+  if (estimator::converts_light(model.medium)) {
     out.push_back(bidirectional(scene, usual, ", conversion 0.6"));
     out.back().simulation.conversion_probability = 0.6;
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "estimator/model.hpp"
+#include "estimator/unused_settings.hpp"
 #include "estimator/walk_attenuation.hpp"
 #include "run/contest.hpp"
 #include "run/free_meetings.hpp"
@@ -75,9 +76,9 @@ std::vector<Setting> settings_to_try(const estimator::Model& model) {
                    [=](scene::Simulation& s) { s.*member = value; }});
   };
   using scene::Simulation;
-  if (model.medium.line.size() > 1)
-    add(false, "conversion_probability", &Simulation::conversion_probability, 0.6);
   add(true, "meetings", &Simulation::meetings, 30.0);
+  if (estimator::converts_light(model.medium))
+    add(false, "conversion_probability", &Simulation::conversion_probability, 0.6);
   add(true, "walks", &Simulation::walks, std::int64_t{4});
   for (const double share : estimator::walk_attenuations(estimator::highest_albedo(model.medium)))
     add(true, "walk_attenuation", &Simulation::walk_attenuation, share);

@@ -168,11 +168,12 @@ class Contest {
     if (!best) return;
     out_.best = best_ = staying_[*best];
     out_.gates = static_cast<std::size_t>(std::ranges::count(compared, true));
-    work_ = std::exp(badness(now[*best], compared, out_.aim));
+    work_of_worst_ = work_of_worst(now[*best], compared);
+    const double work = std::exp(badness(now[*best], compared, out_.aim));
     std::vector<std::size_t> stay;
     for (std::size_t k = 0; k < now.size(); ++k) {
       Standing& standing = out_.standing[staying_[k]];
-      standing.times_the_work = std::exp(badness(now[k], compared, out_.aim)) / work_;
+      standing.times_the_work = std::exp(badness(now[k], compared, out_.aim)) / work;
       standing.rows_unseen = now[*best].rows_seen - now[k].rows_seen;
       if (k == *best || standing.times_the_work < clearly_worse) stay.push_back(staying_[k]);
     }
@@ -201,7 +202,7 @@ class Contest {
         {setting.name, work / std::exp(badness(both[0], compared, out_.aim)), taken});
     if (!taken) return;
     best_ = trials_.size() - 1;
-    work_ = work;
+    work_of_worst_ = work_of_worst(trials_.back().pilot(), compared);
     out_.simulation = changed;
   }
   [[nodiscard]] bool affords(double operations) const {
@@ -216,7 +217,7 @@ class Contest {
       out = trials_[best_].cost_per_photon() * static_cast<double>(*asked_.photons);
     }
     if (asked_.target_relative_error) {
-      const double to_target = work_ / std::pow(*asked_.target_relative_error, 2);
+      const double to_target = work_of_worst_ / std::pow(*asked_.target_relative_error, 2);
       out = std::min(out.value_or(to_target), to_target);
     }
     return out;
@@ -239,7 +240,7 @@ class Contest {
   std::vector<Trial> trials_;
   std::vector<std::size_t> staying_;  ///< of the trials, ascending
   std::size_t best_ = 0;              ///< of the trials
-  double work_ = 0;                   ///< of the best one
+  double work_of_worst_ = 0;          ///< of the best one
   Outcome out_;
 };
 

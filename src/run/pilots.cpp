@@ -16,6 +16,16 @@ constexpr double min_squared_error = 1e-16;
 /// Pilots know the work of an estimator to about this factor (docs/decisions/0052).
 constexpr double alike = 1.2;
 
+/// The work in each gate that is compared.
+std::vector<double> work_in(const Pilot& pilot, const std::vector<bool>& compared) {
+  std::vector<double> work;
+  for (std::size_t cell = 0; cell < compared.size(); ++cell) {
+    if (!compared[cell]) continue;
+    work.push_back(pilot.squared_error[cell].value_or(unknown_squared_error) * pilot.cost);
+  }
+  return work;
+}
+
 }  // namespace
 
 Pilot pilot_of(const tally::Result& result, double cost, double largest_share) {
@@ -29,8 +39,8 @@ Pilot pilot_of(const tally::Result& result, double cost, double largest_share) {
     out.rows_seen += row_seen ? 0 : 1;
     row_seen = true;
     const double largest = result.largest_score_share[cell];
-    squared_error = std::max({min_squared_error, relative * relative,
-                              largest * largest / largest_share});
+    squared_error =
+        std::max({min_squared_error, relative * relative, largest * largest / largest_share});
   }
   return out;
 }
@@ -49,12 +59,11 @@ std::vector<bool> gates_compared(const std::vector<Pilot>& pilots, double known_
 }
 
 double badness(const Pilot& pilot, const std::vector<bool>& compared, Aim aim) {
-  std::vector<double> work;
-  for (std::size_t cell = 0; cell < compared.size(); ++cell) {
-    if (!compared[cell]) continue;
-    work.push_back(pilot.squared_error[cell].value_or(unknown_squared_error) * pilot.cost);
-  }
-  return log_work(std::move(work), aim);
+  return log_work(work_in(pilot, compared), aim);
+}
+
+double work_of_worst(const Pilot& pilot, const std::vector<bool>& compared) {
+  return std::ranges::max(work_in(pilot, compared));
 }
 
 std::optional<std::size_t> best_of(const std::vector<Pilot>& pilots,

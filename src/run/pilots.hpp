@@ -35,6 +35,9 @@ std::vector<bool> gates_compared(const std::vector<Pilot>& pilots, double known_
 /// Logarithm of the work (rule.hpp) in the gates that are compared; at least one is.
 double badness(const Pilot& pilot, const std::vector<bool>& compared, Aim aim);
 
+/// The work of the worst gate that is compared: what a run to a target waits for.
+double work_of_worst(const Pilot& pilot, const std::vector<bool>& compared);
+
 /// Of the pilots that saw light in most channels of telescopes the one of least cost among those
 /// that need hardly more work than the least: of pilots alike those of many independent samples are
 /// the ones to trust. None if none saw any light.

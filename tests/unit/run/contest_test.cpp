@@ -1,6 +1,7 @@
 // How much pilots of `auto` take, by counted operations.
 #include "run/contest.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/scenes.hpp"
@@ -77,6 +78,44 @@ TEST(Contest, TriesEachWithItsOwnWalks) {
   const Outcome outcome =
       contend(model_of(1000), {contender(scene::Estimator::bidirectional), other}, {}, {});
   EXPECT_NE(outcome.standing[0].times_the_work, outcome.standing[1].times_the_work);
+}
+
+Setting meetings(double number) {
+  return {fmt::format("meetings = {}", number), true,
+          [=](scene::Simulation& s) { s.meetings = number; }};
+}
+
+// One after another, each on top of what is best so far; what changes nothing is not tried. Seen
+// red: with each tried on the contender alone; with what is worse taken.
+TEST(Contest, TriesSettingsWithTheBestSoFar) {
+  const Contender walks = contender(scene::Estimator::bidirectional);
+  const Setting longer{"walk_attenuation = 0.99", true,
+                       [](scene::Simulation& s) { s.walk_attenuation = 0.99; }};
+  const Outcome outcome =
+      contend(model_of(1e15), {walks}, {meetings(30), meetings(30), longer, meetings(1e4)}, {});
+  ASSERT_EQ(outcome.tried.size(), 3U);
+  EXPECT_TRUE(outcome.tried[0].taken);
+  for (const Tried& worse : {outcome.tried[1], outcome.tried[2]}) {
+    EXPECT_FALSE(worse.taken) << worse.name;
+    EXPECT_GT(worse.times_the_work, 1.2) << worse.name;
+  }
+  EXPECT_EQ(outcome.simulation.meetings, 30);
+  EXPECT_EQ(outcome.simulation.walk_attenuation, 0.6);
+}
+
+// Seen red: with settings of walks tried with any estimator.
+TEST(Contest, TriesNoSettingsOfWalksWithHistories) {
+  const Outcome outcome =
+      contend(model_of(1e15), {contender(scene::Estimator::forward)}, {meetings(30)}, {});
+  EXPECT_TRUE(outcome.tried.empty());
+}
+
+// All of them take a tenth of the run at most. Seen red: with settings tried for however short a
+// run.
+TEST(Contest, TriesNoSettingsInAShortRun) {
+  const Outcome outcome =
+      contend(model_of(2000), {contender(scene::Estimator::bidirectional)}, {meetings(30)}, {});
+  EXPECT_TRUE(outcome.tried.empty());
 }
 
 // Seen red: with one more stage for a second thread.

@@ -30,6 +30,15 @@ TEST(Pilots, AreComparedAtEqualCost) {
   }
 }
 
+// Pilots know the work badly: of those alike the one that took less. Seen red: with the least work
+// alone; with the cheaper one whatever its work.
+TEST(Pilots, ThatAreAlikeAreJudgedByTheirCost) {
+  for (const Aim aim : {Aim::all_gates, Aim::worst_gates}) {
+    EXPECT_EQ(best_of({pilot(200, {1.00e-4}), pilot(100, {2.3e-4})}, aim), 1U);
+    EXPECT_EQ(best_of({pilot(200, {1.00e-4}), pilot(100, {2.5e-4})}, aim), 0U);
+  }
+}
+
 // Better in nine gates of ten, or in the one that a run to a target waits for. Seen red: with the
 // mean over all gates for both.
 TEST(Pilots, AreComparedByTheWorstGatesIfThereIsATarget) {
@@ -84,16 +93,18 @@ tally::Result result_of(const std::vector<double>& echo, const std::vector<doubl
 
 // By channel of a telescope, and with the weight of large scores.
 TEST(Pilots, KnowWhereTheySawLight) {
-  const Pilot both = pilot_of(result_of({0, 2, 4, 4}, {0, 0.2, 0.4, 0}, {0, 1e-3, 0.1, 0}), 7);
+  const Pilot both =
+      pilot_of(result_of({0, 2, 4, 4}, {0, 0.2, 0.4, 0}, {0, 1e-3, 0.1, 0}), 7, 0.05);
   EXPECT_EQ(both.cost, 7);
   EXPECT_EQ(both.rows_seen, 2U);
   EXPECT_EQ(both.squared_error[0], std::nullopt);
   EXPECT_NEAR(both.squared_error[1].value(), 0.01, 1e-15);
   EXPECT_NEAR(both.squared_error[2].value(), 0.2, 1e-15);  // 0.01, of which one score has all
   EXPECT_GT(both.squared_error[3].value(), 0);             // for its logarithm
-  EXPECT_EQ(pilot_of(result_of({1, 1, 0, 0}, {1, 1, 0, 0}, {1, 1, 0, 0}), 1).rows_seen, 1U);
+  EXPECT_EQ(pilot_of(result_of({1, 1, 0, 0}, {1, 1, 0, 0}, {1, 1, 0, 0}), 1, 0.05).rows_seen, 1U);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(pilot_of(result_of({1, 1, 0, 0}, {nan, nan, nan, nan}, {1, 1, 0, 0}), 1).rows_seen, 0U);
+  EXPECT_EQ(
+      pilot_of(result_of({1, 1, 0, 0}, {nan, nan, nan, nan}, {1, 1, 0, 0}), 1, 0.05).rows_seen, 0U);
   EXPECT_EQ(gates_compared({both, pilot(1, {1.0, nothing, nothing, nothing})}, known_to),
             std::vector<bool>(4, true));
 }
