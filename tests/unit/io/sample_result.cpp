@@ -212,6 +212,9 @@ class Maker {
     state.photons = 19'998'000;
     state.batches = 9999;
     state.collisions = 187'654'000;
+    tally::Operations::each(
+        [&](const char*, auto& number) { number = static_cast<std::uint64_t>(++numbers_); },
+        state.operations);
     state.too_many_events = 2;
     state.not_finite = 1;
     tally::Ledger::each([&](const char*, double& account) { account = next(); }, state.ledger);

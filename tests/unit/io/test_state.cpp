@@ -196,8 +196,10 @@ void write_bare(const std::string& path, const std::function<void(NetcdfImage& f
   file.add_dimension("gate", 100);
   file.enter_group("continuation");
   file.add_dimension("tail_sum", 8);
-  for (const char* name : {"photons", "batches", "collisions", "scores",
-                           "photons_lost_too_many_events", "photons_lost_not_finite"})
+  for (const char* name :
+       {"photons", "batches", "collisions", "scores", "local_estimates", "facets", "vertex_pairs",
+        "ray_pairs", "meetings", "free_meetings", "meetings_by_waves",
+        "photons_lost_too_many_events", "photons_lost_not_finite"})
     file.add_global(name, std::uint64_t{0});
   for (const char* name : {"absorbed", "escaped", "sea_bed", "oil", "cut_by_time", "cut_by_order",
                            "cut_by_weight", "roulette", "lost"})

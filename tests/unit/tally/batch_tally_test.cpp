@@ -125,6 +125,7 @@ TEST(BatchTally, IsAsNewWhenCleared) {
   }
   t.batch.ledger.absorbed = 1;
   t.batch.photons = t.batch.collisions = t.batch.too_many_events = t.batch.not_finite = 5;
+  t.batch.operations.meetings = 5;
   t.batch.clear();
   for (const char* table : {"echo_by_order", "echo_by_process", "echo_by_depth"})
     EXPECT_EQ(sum(t.sums(table)), 0);
@@ -137,6 +138,7 @@ TEST(BatchTally, IsAsNewWhenCleared) {
   EXPECT_EQ(t.batch.ledger.absorbed, 0);
   EXPECT_EQ(t.batch.photons + t.batch.collisions + t.batch.too_many_events + t.batch.not_finite,
             0U);
+  EXPECT_EQ(t.batch.operations, Operations{});
 }
 
 // From the smallest score to the largest, and none of them twice. Seen red: with the octave of the

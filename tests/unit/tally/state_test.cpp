@@ -18,6 +18,9 @@ void score_at_random(Tallies& t, test::Random& random) {
   t.batch.scores = static_cast<std::uint64_t>(random.below(9000));
   t.batch.too_many_events = static_cast<std::uint64_t>(random.below(3));
   t.batch.not_finite = static_cast<std::uint64_t>(random.below(3));
+  Operations::each(
+      [&](const char*, auto& number) { number = static_cast<std::uint64_t>(random.below(9000)); },
+      t.batch.operations);
   Ledger::each([&](const char*, double& weight) { weight = random.between(0, 1000); },
                t.batch.ledger);
 }
@@ -27,7 +30,8 @@ void expect_same(const Estimates& a, const Estimates& b) {
   EXPECT_EQ(a.standard_error, b.standard_error);
 }
 
-// Seen red: with the ledger of the state left out; with the largest scores; with the collisions.
+// Seen red: with the ledger of the state left out; with the largest scores; with the collisions;
+// with the operations.
 TEST(TotalsState, GoesOnToTheLastBit) {
   for (const int stop : {0, 1, 2, 21, 32, 39}) {
     SCOPED_TRACE(stop);

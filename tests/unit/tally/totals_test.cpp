@@ -244,6 +244,7 @@ TEST(Totals, ShareTheLedgerAmongThePhotons) {
   for (int b = 0; b < 2; ++b) {
     t.batch.ledger = {10, 20, 24, 6, 15, 5, 4, 12, 8};
     t.batch.collisions = 7;
+    t.batch.operations = {1, 2, 3, 4, 5, 6, 7};
     t.batch.too_many_events = 1;
     t.batch.not_finite = 2;
     t.end_batch(100);
@@ -260,6 +261,7 @@ TEST(Totals, ShareTheLedgerAmongThePhotons) {
   EXPECT_NEAR(l.roulette, 0.12, 1e-15);
   EXPECT_NEAR(l.lost, 0.08, 1e-15);
   EXPECT_EQ(r.collisions, 14U);
+  EXPECT_EQ(t.totals.operations(), (Operations{2, 4, 6, 8, 10, 12, 14}));
   EXPECT_EQ(r.lost_too_many_events, 2U);
   EXPECT_EQ(r.lost_not_finite, 4U);
 }
