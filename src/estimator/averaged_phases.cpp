@@ -156,7 +156,7 @@ AveragedPhaseTables::AveragedPhaseTables(const medium::Medium& medium,
       lines_of_cell(cell, parts, ahead ? forward : backward, lines);
       auto line = lines.begin();
       for (const auto table : elastic)
-        std::ranges::copy(*line++, rows.begin() + (table * cells + cell) * fields);
+        std::ranges::copy(*line++, rows.begin() + std::ptrdiff_t{fields} * (table * cells + cell));
     }
     line_.append(rows);
   }
