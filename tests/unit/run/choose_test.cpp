@@ -186,7 +186,7 @@ TEST(Choose, LeavesAWalkAttenuationThatIsGiven) {
 // Of the settings that are tried those that the scene names stay. Seen red: with all of them tried.
 TEST(Choose, LeavesSettingsOfWalksThatAreGiven) {
   scene::Scene asked = scene_of("auto");
-  asked.simulation.photons = 1000000;
+  asked.simulation.photons = 200000;
   const auto open = choose_estimator(asked, {}).simulation;
   EXPECT_NE(open.estimator_reason->find("then, against the best so far: meetings = 30"),
             std::string::npos);
@@ -205,7 +205,7 @@ TEST(Choose, TriesConversionsWhereLightIsConverted) {
   for (const std::string process : {"elastic", "raman"}) {
     const auto asked = test::read(test::ship_instrument + test::channel(process) +
                                   "[[sea.layer]]\nchlorophyll_mg_m3 = 0.1\n" +
-                                  test::depth_gates(30, 10) + test::simulation(4e5, 3, "", "auto"));
+                                  test::depth_gates(30, 10) + test::simulation(2e5, 3, "", "auto"));
     const auto reason = *choose_estimator(asked, {}).simulation.estimator_reason;
     EXPECT_EQ(reason.find("conversion_probability = 0.6") != std::string::npos, process == "raman")
         << reason;
@@ -242,7 +242,7 @@ TEST(Choose, NeverLetsWeightsGrow) {
     };
     const auto scene = test::read(test::ship_instrument + test::channel("elastic") +
                                   layer(upper, "bottom_depth_m = 2.0\n") + layer(lower, "") +
-                                  test::depth_gates(30, 3) + test::simulation(1e6, 3, "", "auto"));
+                                  test::depth_gates(30, 3) + test::simulation(2e5, 3, "", "auto"));
     const auto chosen = choose_estimator(scene, {}).simulation;
     auto shares = walk_attenuations_in(*chosen.estimator_reason);
     shares.push_back(chosen.walk_attenuation.value_or(1));
