@@ -75,6 +75,9 @@ class Totals {
   [[nodiscard]] std::span<const Octaves> kinds(std::size_t cell) const;
   /// The octaves of the scores of all kinds, together.
   [[nodiscard]] Octaves octaves(std::size_t cell) const;
+  /// The scores that count as one, such as those of a walk: the variance by batches over that of
+  /// independent scores, Kish's design effect (Survey Sampling (1965)); at least 1.
+  [[nodiscard]] double scores_together(std::size_t cell) const;
   /// The sum expected of scores too rare to have been seen, of all kinds (docs/theory.md, eq. 76);
   /// infinite if there are too few scores.
   [[nodiscard]] double unseen(std::size_t cell) const;

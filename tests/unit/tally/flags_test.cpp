@@ -157,9 +157,19 @@ TEST(Flags, HeavyTail) {
   EXPECT_GE(widened, 0.8 * runs);
 }
 
-/// A gate of equal scores, whose batches differ by ten per cent times `spread`.
-void add_even(Tallies& t, double spread) {
-  add_batches(t, 64, 50, [=](int b) { return 1e-3 * (1 + spread * (steady(b) / 1e-3 - 1)); });
+/// A gate whose batches differ by ten per cent times `spread`, as even points make them, although
+/// its largest scores, from `least` up, fall off slowly.
+void add_even(Tallies& t, double spread, double least = 2e-6) {
+  constexpr int batches = 64, large = 4 * batches, others = 2000;
+  for (int b = 0; b < batches; ++b) {
+    double rest = 1e-3 * (1 + spread * (steady(b) / 1e-3 - 1));
+    for (int k = b; k < large; k += batches) {
+      t.score(0, least * falling_off(k, large, 2));
+      rest -= least * falling_off(k, large, 2);
+    }
+    for (int k = 0; k < others; ++k) t.score(0, rest / others);
+    t.end_batch(1000);
+  }
 }
 
 // Batches that hardly differ, as even points make them: one score more would be several errors.
@@ -181,14 +191,53 @@ TEST(Flags, HeavyTailAboveOneError) {
 // than a thousandth of the echo, it is in the reported error, and raises no flag. Seen red:
 // with a ten thousandth; with a hundredth.
 TEST(Flags, HeavyTailIsNoNegligiblePart) {
-  for (const int scores : {40, 80}) {
+  for (const double least : {1.4e-6, 0.6e-6}) {
     Tallies t;
-    add_batches(t, 64, scores, [](int b) { return 1e-3 * (1 + 1e-3 * (steady(b) / 1e-3 - 1)); });
+    add_even(t, 1e-3, least);
     const double share = t.result().echo.standard_error[0] / t.result().echo.mean[0];
     EXPECT_GT(widening(t), 10);
-    EXPECT_NEAR(share, scores == 40 ? 1.2e-3 : 0.5e-3, 0.1e-3);
-    EXPECT_EQ(flags(t), scores == 40 ? heavy_tail : 0);
+    EXPECT_NEAR(share, least > 1e-6 ? 1.2e-3 : 0.5e-3, 0.1e-3);
+    EXPECT_EQ(flags(t), least > 1e-6 ? heavy_tail : 0);
   }
+}
+
+// Scores that are all about as large as the largest one have a bound, and lack nothing, however
+// little batches differ; also where larger ones are of another kind. Seen red: without the chance
+// of no larger score (both); with the largest score of all kinds for their own (the second).
+TEST(Flags, BoundedScoresLackNothing) {
+  const auto even = [](int b) { return 1e-3 * (1 + 1e-3 * (steady(b) / 1e-3 - 1)); };
+  Tallies t;
+  add_batches(t, 64, 50, even);
+  EXPECT_NEAR(widening(t), 1, 1e-3);
+  EXPECT_EQ(flags(t), 0);
+  Tallies u(0, 0, kinds_of_technique);
+  for (int b = 0; b < 64; ++b) {
+    for (int k = 0; k < 50; ++k) u.score(0, even(b) / 50, Technique::laser);
+    for (int k = 0; k < 50; ++k) u.score(0, even(b) / 5000, Technique::both);
+    u.end_batch(1000);
+  }
+  EXPECT_NEAR(widening(u), 1, 1e-3);
+  EXPECT_EQ(flags(u), 0);
+}
+
+/// 240 equal scores, each batch that has some with so many, among many more in each that are small.
+void add_together(Tallies& t, int together) {
+  for (int b = 0; b < 100; ++b) {
+    for (int k = 0; k < together && b * together < 240; ++k) t.score(0, 1.5e-5);
+    for (int k = 0; k < 1000; ++k) t.score(0, 1e-7);
+    t.end_batch(1000);
+  }
+}
+
+// Twelve walks of twenty equal scores each are twelve scores, not 240: so few that are close to
+// each other show no bound. Seen red: with each score for one; with chances below 0.5 unlikely;
+// without the chance of no larger score.
+TEST(Flags, ScoresThatComeTogetherShowNoBound) {
+  Tallies one_by_one, together;
+  add_together(one_by_one, 3);
+  add_together(together, 20);
+  EXPECT_NEAR(widening(one_by_one), 1, 1e-5);
+  EXPECT_NEAR(widening(together), 1.0035, 5e-4);
 }
 
 // A run is no better for lacking the scores that are to come. Seen red: with 0.5 for 1 error; with
