@@ -26,6 +26,9 @@ constexpr double tail_scores = 100;  // at least, to see how the largest ones ar
 constexpr double expected_index = 1.5;
 constexpr double min_tail_index = 1.05;  // tails have a mean
 constexpr double largest_unseen = 1;     // in standard errors of the batches
+/// Scores that fewer runs have are not in the errors: an interval of 95 % leaves out so many on a
+/// side, and tails do not go on for ever (decision 51).
+constexpr double share_of_runs = 1.0 / 40;
 /// Tails whose largest scores are so close to each other by chance are rarer than their unseen
 /// scores are of any weight (decision 51).
 constexpr double unlikely = 1e-3;
@@ -95,18 +98,21 @@ std::optional<Tail> tail_of(const Octaves& octaves) {
   return std::nullopt;
 }
 
-/// The sum to be expected of scores larger than any expected so far, if the largest ones follow a
-/// Pareto distribution. It hardly depends on whether the very largest have come, as it must not:
-/// flags that do pick runs that lack them. Only where so many scores are so close to the largest
-/// that no such distribution is likely, these have a bound, and nothing is beyond it. Scores that
-/// come `together` count as one there. Infinite of too few scores.
-double unseen_sum(const Octaves& octaves, double largest, double together) {
+/// The scores to be expected larger than any expected so far, if the largest ones follow a Pareto
+/// distribution. They hardly depend on whether the very largest have come, as they must not: flags
+/// that do pick runs that lack them. Only where so many scores are so close to the largest that no
+/// such distribution is likely, these have a bound, and nothing is beyond it. Scores that come
+/// `together` count as one there. Infinite of too few scores.
+Unseen unseen_beyond(const Octaves& octaves, double largest, double together) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   const std::optional<Tail> tail = tail_of(octaves);
-  if (!tail) return std::numeric_limits<double>::infinity();
+  if (!tail) return {infinite, infinite};
+  const double chance = std::pow(chance_of_no_larger(*tail, octaves, largest), 1 / together);
   const double exceeded_once =
       std::ldexp(std::pow(tail->scores, 1 / tail->index), tail->octave - score_octaves);
-  const double chance = std::pow(chance_of_no_larger(*tail, octaves, largest), 1 / together);
-  return exceeded_once / (1 - 1 / tail->index) * std::min(1.0, chance / unlikely);
+  const double more = 1 - 1 / tail->index;
+  const double sum = exceeded_once / more * std::min(1.0, chance / unlikely);
+  return {sum, sum * (1 - std::pow(share_of_runs, more))};
 }
 
 /// Sum of the scores' fourth powers: the largest one's, and the others'.
@@ -141,21 +147,21 @@ double Totals::scores_together(std::size_t cell) const {
   return std::max(1.0, of_batches * of_batches / sum_of_powers(octaves(cell), 2));
 }
 
-double Totals::unseen(std::size_t cell) const {
+Unseen Totals::unseen(std::size_t cell) const {
   const double together = scores_together(cell);
   const double largest = state_.largest[cell];
-  double sum = 0;
+  Unseen of_kinds;
   for (const Octaves& kind : kinds(cell)) {
     const double scores = scores_in(kind);
     if (scores == 0) continue;  // none of the gate's light is found so
-    if (scores < tail_scores) return unseen_sum(octaves(cell), largest, together);
-    sum += unseen_sum(kind, largest, together);
+    if (scores < tail_scores) return unseen_beyond(octaves(cell), largest, together);
+    of_kinds += unseen_beyond(kind, largest, together);
   }
-  return sum;
+  return of_kinds;
 }
 
-double Totals::unseen_of(std::size_t cell, const Powers& scores) const {
-  if (scores.fourth == 0) return 0;
+Unseen Totals::unseen_of(std::size_t cell, const Powers& scores) const {
+  if (scores.fourth == 0) return {};
   const double of_echo = fourth_powers(octaves(cell), state_.largest[cell]);
   return unseen(cell) * std::pow(scores.fourth / of_echo, 0.25);
 }
@@ -171,17 +177,14 @@ bool Totals::beam_missed(std::size_t cell) const {
          negligible_share * state_.echo[cell].low.x;
 }
 
-double Totals::reported_error(const Sums& sums, const Counted& n, double unseen) {
-  return with_unseen(standard_error(sums, n), unseen / n.photons);
-}
-
-Totals::Health Totals::health_of(const Sums& s, const Counted& n, double unseen) {
+Totals::Health Totals::health_of(const Sums& s, const Counted& n, const Unseen& unseen) {
   if (s.x == 0) return {no_score, 0, 0};
   Health health;
   health.relative_error = reported_error(s, n, unseen) / mean(s, n);
   health.raise(n.batches < min_batches, few_batches);
-  health.raise(health.relative_error > largest_relative_error, large_error);
-  health.raise(heavy(unseen, error_of_sum(s, n), s.x), heavy_tail);
+  const double with_all = with_unseen(standard_error(s, n), unseen.sum / n.photons);
+  health.raise(with_all / mean(s, n) > largest_relative_error, large_error);
+  health.raise(heavy(unseen.sum, error_of_sum(s, n), s.x), heavy_tail);
   return health;
 }
 
@@ -197,7 +200,7 @@ Totals::Health Totals::health(std::size_t cell) const {
 std::int32_t Totals::difference_flags(std::size_t cell, const EnvironmentSums& s) const {
   const Sums& difference = s.difference.low;
   Health own;
-  own.raise(heavy(unseen_of(cell, s.of_differences), error_of_sum(difference, counted(cell)),
+  own.raise(heavy(unseen_of(cell, s.of_differences).sum, error_of_sum(difference, counted(cell)),
                   difference.x),
             heavy_tail);
   own.raise(heavy(s.of_differences), heavy_tail);
