@@ -29,9 +29,9 @@ constexpr double largest_unseen = 1;     // in standard errors of the batches
 /// Scores that fewer runs have are not in the errors: an interval of 95 % leaves out so many on a
 /// side, and tails do not go on for ever (decision 51).
 constexpr double share_of_runs = 1.0 / 40;
-/// Tails whose largest scores are so close to each other by chance are rarer than their unseen
-/// scores are of any weight (decision 51).
-constexpr double unlikely = 1e-3;
+/// Below this chance that no larger score has come, scores have a bound. A run has hundreds of
+/// gates, with several octaves each, and is to have none by chance (decision 51).
+constexpr double unlikely = 1e-4;
 /// The least number of scores of telescopes' walks: with fewer they have hardly ever come near the
 /// beam, and the light that only they can find has not been seen (decision 39).
 constexpr double min_scores_with_telescope = 300;
