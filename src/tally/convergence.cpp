@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -25,6 +26,12 @@ constexpr double tail_scores = 100;  // at least, to see how the largest ones ar
 constexpr double expected_index = 1.5;
 constexpr double min_tail_index = 1.05;  // tails have a mean
 constexpr double largest_unseen = 1;     // in standard errors of the batches
+/// Scores that fewer runs have are not in the errors: an interval of 95 % leaves out so many on a
+/// side, and tails do not go on for ever (decision 51).
+constexpr double share_of_runs = 1.0 / 40;
+/// Below this chance that no larger score has come, scores have a bound. A run has hundreds of
+/// gates, with several octaves each, and is to have none by chance (decision 51).
+constexpr double unlikely = 1e-4;
 /// The least number of scores of telescopes' walks: with fewer they have hardly ever come near the
 /// beam, and the light that only they can find has not been seen (decision 39).
 constexpr double min_scores_with_telescope = 300;
@@ -41,20 +48,43 @@ double scores_in(const Octaves& octaves) {
   return static_cast<double>(std::accumulate(octaves.begin(), octaves.end(), std::uint64_t{0}));
 }
 
-/// About the sum of the scores, taken to be spread evenly over their octaves.
-double sum_of(const Octaves& octaves) {
+/// About the sum of a power of the scores, taken to be spread evenly over their octaves.
+double sum_of_powers(const Octaves& octaves, int power) {
   double sum = 0;
   for (int k = 0; k < score_octaves; ++k)
-    sum += std::ldexp(static_cast<double>(octaves[static_cast<std::size_t>(k)]), k - score_octaves);
-  return sum / std::numbers::ln2;
+    sum += std::ldexp(static_cast<double>(octaves[static_cast<std::size_t>(k)]),
+                      power * (k - score_octaves));
+  return sum * (std::exp2(power) - 1) / (power * std::numbers::ln2);
 }
 
-/// The sum to be expected of scores larger than any expected so far, if the largest ones follow a
-/// Pareto distribution: its index from the octaves that hold the top of all scores (Hill's
+/// A Pareto distribution of the scores from an octave up.
+struct Tail {
+  int octave = 0;
+  double index = 0, scores = 0;
+};
+
+/// The chance that a tail's scores are as close below the largest one as they are, none of them
+/// beyond it: the least, over the octaves, of the chances of all the scores from an octave up, but
+/// for the largest (Aban, Meerschaert and Panorska, J. Am. Stat. Assoc. 101, 270 (2006), for one
+/// threshold). Where the largest score of all is in a higher octave than these, the edge of their
+/// own highest octave takes its place.
+double chance_of_no_larger(const Tail& tail, const Octaves& octaves, double largest) {
+  double chance = 1;
+  double above = 0;
+  for (int k = score_octaves - 1; k >= tail.octave; --k) {
+    const double edge = std::ldexp(1.0, k - score_octaves);
+    if (above == 0) largest = std::min(largest, 2 * edge);
+    above += static_cast<double>(octaves[static_cast<std::size_t>(k)]);
+    if (above > 0 && edge < largest)
+      chance = std::min(chance, std::pow(1 - std::pow(edge / largest, tail.index), above - 1));
+  }
+  return chance;
+}
+
+/// The tail of the scores: its index from the octaves that hold the top of all scores (Hill's
 /// estimator, Ann. Stat. 3, 1163 (1975), of geometrically distributed octaves), with scores of the
-/// expected index added to them. It hardly depends on whether the very largest have come, as it
-/// must not: flags that do pick runs that lack them. Infinite of too few scores.
-double unseen_sum(const Octaves& octaves) {
+/// expected index added to them. None of too few scores.
+std::optional<Tail> tail_of(const Octaves& octaves) {
   const double above_expected = tail_scores / (std::exp2(expected_index) - 1);
   double top = 0;    // scores in the octaves seen so far, from the largest down
   double above = 0;  // octaves between each of them and the present one, all together
@@ -62,23 +92,33 @@ double unseen_sum(const Octaves& octaves) {
     above += top;
     top += static_cast<double>(octaves[static_cast<std::size_t>(k)]);
     if (top < tail_scores) continue;
-    const double index =
-        std::max(min_tail_index, std::log2(1 + (top + tail_scores) / (above + above_expected)));
-    const double exceeded_once = std::ldexp(std::pow(top, 1 / index), k - score_octaves);
-    return exceeded_once / (1 - 1 / index);
+    const double index = std::log2(1 + (top + tail_scores) / (above + above_expected));
+    return Tail{k, std::max(min_tail_index, index), top};
   }
-  return std::numeric_limits<double>::infinity();
+  return std::nullopt;
 }
 
-/// Sum of the scores' fourth powers: the largest one's, and the others taken to be spread evenly
-/// over their octaves.
-double fourth_powers(const Octaves& octaves, double largest) {
-  double sum = 0;
-  for (int k = 0; k < score_octaves; ++k) {
-    const auto others = octaves[static_cast<std::size_t>(k)] - (k == score_octave(largest) ? 1 : 0);
-    sum += std::ldexp(static_cast<double>(others), 4 * (k - score_octaves));
-  }
-  return std::pow(largest, 4) + sum * 15 / (4 * std::numbers::ln2);
+/// The scores to be expected larger than any expected so far, if the largest ones follow a Pareto
+/// distribution. They hardly depend on whether the very largest have come, as they must not: flags
+/// that do pick runs that lack them. Only where so many scores are so close to the largest that no
+/// such distribution is likely, these have a bound, and nothing is beyond it. Scores that come
+/// `together` count as one there. Infinite of too few scores.
+Unseen unseen_beyond(const Octaves& octaves, double largest, double together) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::optional<Tail> tail = tail_of(octaves);
+  if (!tail) return {infinite, infinite};
+  const double chance = std::pow(chance_of_no_larger(*tail, octaves, largest), 1 / together);
+  const double exceeded_once =
+      std::ldexp(std::pow(tail->scores, 1 / tail->index), tail->octave - score_octaves);
+  const double more = 1 - 1 / tail->index;
+  const double sum = exceeded_once / more * std::min(1.0, chance / unlikely);
+  return {sum, sum * (1 - std::pow(share_of_runs, more))};
+}
+
+/// Sum of the scores' fourth powers: the largest one's, and the others'.
+double fourth_powers(Octaves octaves, double largest) {
+  --octaves[static_cast<std::size_t>(score_octave(largest))];
+  return std::pow(largest, 4) + sum_of_powers(octaves, 4);
 }
 
 /// Returns whether the unseen part of a sum exceeds its error, and is not negligible.
@@ -102,19 +142,26 @@ Octaves Totals::octaves(std::size_t cell) const {
   return sum;
 }
 
-double Totals::unseen(std::size_t cell) const {
-  double sum = 0;
+double Totals::scores_together(std::size_t cell) const {
+  const double of_batches = error_of_sum(state_.echo[cell].low, counted(cell));
+  return std::max(1.0, of_batches * of_batches / sum_of_powers(octaves(cell), 2));
+}
+
+Unseen Totals::unseen(std::size_t cell) const {
+  const double together = scores_together(cell);
+  const double largest = state_.largest[cell];
+  Unseen of_kinds;
   for (const Octaves& kind : kinds(cell)) {
     const double scores = scores_in(kind);
     if (scores == 0) continue;  // none of the gate's light is found so
-    if (scores < tail_scores) return unseen_sum(octaves(cell));
-    sum += unseen_sum(kind);
+    if (scores < tail_scores) return unseen_beyond(octaves(cell), largest, together);
+    of_kinds += unseen_beyond(kind, largest, together);
   }
-  return sum;
+  return of_kinds;
 }
 
-double Totals::unseen_of(std::size_t cell, const Powers& scores) const {
-  if (scores.fourth == 0) return 0;
+Unseen Totals::unseen_of(std::size_t cell, const Powers& scores) const {
+  if (scores.fourth == 0) return {};
   const double of_echo = fourth_powers(octaves(cell), state_.largest[cell]);
   return unseen(cell) * std::pow(scores.fourth / of_echo, 0.25);
 }
@@ -126,20 +173,18 @@ bool Totals::beam_missed(std::size_t cell) const {
   const Octaves& of_laser = kinds(cell)[kind_of(Technique::laser)];
   const Octaves& with_telescope = kinds(cell)[kind_of(Technique::both)];
   if (scores_in(with_telescope) >= min_scores_with_telescope) return false;
-  return sum_of(of_laser) + sum_of(with_telescope) > negligible_share * state_.echo[cell].low.x;
+  return sum_of_powers(of_laser, 1) + sum_of_powers(with_telescope, 1) >
+         negligible_share * state_.echo[cell].low.x;
 }
 
-double Totals::reported_error(const Sums& sums, const Counted& n, double unseen) {
-  return with_unseen(standard_error(sums, n), unseen / n.photons);
-}
-
-Totals::Health Totals::health_of(const Sums& s, const Counted& n, double unseen) {
+Totals::Health Totals::health_of(const Sums& s, const Counted& n, const Unseen& unseen) {
   if (s.x == 0) return {no_score, 0, 0};
   Health health;
   health.relative_error = reported_error(s, n, unseen) / mean(s, n);
   health.raise(n.batches < min_batches, few_batches);
-  health.raise(health.relative_error > largest_relative_error, large_error);
-  health.raise(heavy(unseen, error_of_sum(s, n), s.x), heavy_tail);
+  const double with_all = with_unseen(standard_error(s, n), unseen.sum / n.photons);
+  health.raise(with_all / mean(s, n) > largest_relative_error, large_error);
+  health.raise(heavy(unseen.sum, error_of_sum(s, n), s.x), heavy_tail);
   return health;
 }
 
@@ -155,7 +200,7 @@ Totals::Health Totals::health(std::size_t cell) const {
 std::int32_t Totals::difference_flags(std::size_t cell, const EnvironmentSums& s) const {
   const Sums& difference = s.difference.low;
   Health own;
-  own.raise(heavy(unseen_of(cell, s.of_differences), error_of_sum(difference, counted(cell)),
+  own.raise(heavy(unseen_of(cell, s.of_differences).sum, error_of_sum(difference, counted(cell)),
                   difference.x),
             heavy_tail);
   own.raise(heavy(s.of_differences), heavy_tail);

@@ -22,8 +22,27 @@ inline double standard_error(const Sums& s, const Counted& n) {
   return error_of_sum(s, n) / n.photons;
 }
 
+/// The sum expected of scores too rare to have been seen (docs/theory.md, eq. 76).
+struct Unseen {
+  double sum = 0;
+  double in_error = 0;  ///< without scores that fewer than one run in forty has (eq. 81)
+  Unseen& operator+=(const Unseen& other) {
+    sum += other.sum;
+    in_error += other.in_error;
+    return *this;
+  }
+  friend Unseen operator*(const Unseen& unseen, double factor) {
+    return {unseen.sum * factor, unseen.in_error * factor};
+  }
+};
+
 /// An error with what is expected of scores not seen yet, which is not taken if it is infinite.
 double with_unseen(double error, double unseen);
+
+/// Standard error of the mean per photon that is reported, with what has not been seen.
+inline double reported_error(const Sums& s, const Counted& n, const Unseen& unseen) {
+  return with_unseen(standard_error(s, n), unseen.in_error / n.photons);
+}
 
 /// The variance of the variance of the mean, over its square; NaN for a single batch.
 double variance_of_variance(const TailSums& s, const Counted& n);

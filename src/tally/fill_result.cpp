@@ -50,7 +50,8 @@ double Totals::error_growth(std::size_t cell) const {
   return nan;
 }
 
-void Totals::estimate(const Sums& sums, std::size_t cell, double unseen, Estimates& out) const {
+void Totals::estimate(const Sums& sums, std::size_t cell, const Unseen& unseen,
+                      Estimates& out) const {
   const Counted n = counted(cell);
   out.mean.push_back(mean(sums, n));
   out.standard_error.push_back(reported_error(sums, n, unseen));
@@ -78,7 +79,7 @@ void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result)
     const Counted n = counted(cell);
     const double echo = mean(scene, n);
     const double change = mean(s.difference.low, n);  // p d echo / d p
-    const double unseen = unseen_of(cell, s.of_differences);
+    const Unseen unseen = unseen_of(cell, s.of_differences);
     result.sensitivity.mean.push_back(change / value);
     result.sensitivity.standard_error.push_back(reported_error(s.difference.low, n, unseen) /
                                                 std::abs(value));
@@ -87,7 +88,7 @@ void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result)
     Estimates& logarithmic = result.logarithmic_sensitivity;
     logarithmic.mean.push_back(echo > 0 ? change / echo : nan);
     logarithmic.standard_error.push_back(
-        echo > 0 ? with_unseen(of_ratio, unseen / (n.photons * echo)) : nan);
+        echo > 0 ? with_unseen(of_ratio, unseen.in_error / (n.photons * echo)) : nan);
     result.sensitivity_convergence_flags.push_back(result.convergence_flags[cell] |
                                                    difference_flags(cell, s));
   }
@@ -126,7 +127,7 @@ void Totals::fill(Result& result) const {
     estimate(state_.echo[cell].low, cell, unseen(cell), result.echo);
     const Health h = health(cell);
     result.convergence_flags.push_back(h.flags);
-    wholes.push_back({h.flags, x > 0 ? unseen(cell) / x : 0});
+    wholes.push_back({h.flags, x > 0 ? unseen(cell) * (1 / x) : Unseen{}});
     result.variance_of_variance.push_back(h.variance_of_variance);
     result.error_growth.push_back(error_growth(cell));
     result.largest_score_share.push_back(x > 0 ? state_.largest[cell] / x : 0.0);

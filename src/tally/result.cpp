@@ -10,7 +10,8 @@ const std::vector<FlagMeaning>& flag_meanings() {
   static const std::vector<FlagMeaning> meanings{
       {no_score, "no_score", "no light was ever scored in the gate"},
       {few_batches, "few_batches", "fewer than 30 batches: the error itself is not known"},
-      {large_error, "large_error", "the standard error is above 10 % of the echo"},
+      {large_error, "large_error",
+       "the standard error, with all that may be unseen, is above 10 % of the echo"},
       {uncertain_variance, "uncertain_variance", "one batch carries much of the variance"},
       {heavy_tail, "heavy_tail",
        "scores too rare to have been seen may add up to more than the error"},

@@ -71,20 +71,19 @@ class Totals {
   /// As all_converged, of a row's cells.
   [[nodiscard]] bool row_converged(std::size_t row, double relative_error) const;
   /// Estimates sums in a cell with what has not been seen of them.
-  void estimate(const Sums& sums, std::size_t cell, double unseen, Estimates& out) const;
+  void estimate(const Sums& sums, std::size_t cell, const Unseen& unseen, Estimates& out) const;
   /// The octaves of the scores of each kind.
   [[nodiscard]] std::span<const Octaves> kinds(std::size_t cell) const;
   /// The octaves of the scores of all kinds, together.
   [[nodiscard]] Octaves octaves(std::size_t cell) const;
-  /// The sum expected of scores too rare to have been seen, of all kinds (docs/theory.md, eq. 76);
-  /// infinite if there are too few scores.
-  [[nodiscard]] double unseen(std::size_t cell) const;
+  /// The scores that count as one, such as those of a walk: the variance by batches over that of
+  /// independent scores, Kish's design effect (Survey Sampling (1965)); at least 1.
+  [[nodiscard]] double scores_together(std::size_t cell) const;
+  /// The unseen scores of all kinds; infinite sums if there are too few scores.
+  [[nodiscard]] Unseen unseen(std::size_t cell) const;
   /// The same of scores that go with those of the echo, in an environment or a difference.
-  [[nodiscard]] double unseen_of(std::size_t cell, const Powers& scores) const;
-  /// Standard error of the mean per photon, with what has not been seen; without it if it is
-  /// unknown.
-  [[nodiscard]] static double reported_error(const Sums& sums, const Counted& n, double unseen);
-  [[nodiscard]] static Health health_of(const Sums& s, const Counted& n, double unseen);
+  [[nodiscard]] Unseen unseen_of(std::size_t cell, const Powers& scores) const;
+  [[nodiscard]] static Health health_of(const Sums& s, const Counted& n, const Unseen& unseen);
   /// Bits of ConvergenceFlag of an environment's echo and difference by themselves: a difference
   /// can have a heavier tail than either echo.
   [[nodiscard]] std::int32_t environment_flags(std::size_t cell, const EnvironmentSums& s) const;
@@ -94,7 +93,7 @@ class Totals {
   /// Properties of a gate that its orders and processes share.
   struct Whole {
     std::int32_t flags = 0;
-    double unseen_share = 0;  ///< of the echo, and so of its parts
+    Unseen unseen_share;  ///< of the echo, and so of its parts
   };
   /// Bits of ConvergenceFlag of a part. beside_walks: no walk carries its light.
   [[nodiscard]] std::int32_t part_flags(const Sums& part, std::size_t cell, const Whole& whole,

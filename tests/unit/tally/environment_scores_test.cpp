@@ -54,9 +54,10 @@ TEST(EnvironmentFlags, WhatIsNegligibleIsMeasuredByTheDifference) {
     Tallies t(0, 1);
     std::array<double, EnvironmentScores::size> ratio{};
     for (int batch = 0; batch < 40; ++batch) {
-      for (int k = 0; k < 400; ++k) {
-        ratio.fill(k % 2 == 0 ? 1.1 : odd);
-        const Score score{0, 0, 1, 2.5, t.path_in(0), 1e-6};
+      for (int k = 0; k < 8000 + 8 * (batch % 2); ++k) {
+        ratio.fill(k % 2 == 0 || k >= 8000 ? 1.1 : odd);
+        const double value = k < 4 ? 4e-6 * falling_off(40 * k + batch, 160, 4) : 1e-6;
+        const Score score{0, 0, 1, 2.5, t.path_in(0), value};
         t.batch.score(score, t.batch.bins(score.path, score.depth), ratio.data());
       }
       t.end_batch(2000);

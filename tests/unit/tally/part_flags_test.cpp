@@ -87,9 +87,16 @@ TEST(PartFlags, LargeError) {
 TEST(PartFlags, HeavyTailOfTheGate) {
   Tallies t;
   for (int b = 0; b < 64; ++b) {
-    for (int k = 0; k < 20; ++k) {
-      t.score(0, b % 2 == 0 ? 2e-5 : 3e-5, 1);
-      t.score(0, b % 2 == 0 ? 3e-5 : 2e-5, 2);
+    const double first = b % 2 == 0 ? 4e-4 : 6e-4;
+    double second = 1e-3 - first;
+    for (int k = b; k < 128; k += 64) {
+      const double large = 2e-5 * falling_off(k, 128, 3);
+      t.score(0, large, 2);
+      second -= large;
+    }
+    for (int k = 0; k < 100; ++k) {
+      t.score(0, first / 100, 1);
+      t.score(0, second / 100, 2);
     }
     t.end_batch(1000);
   }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 
 #include "support/random.hpp"
@@ -10,6 +11,11 @@
 #include "unit/tally/lines.hpp"
 
 namespace photic::tally {
+
+/// The k-th of so many scores that exceed x with a chance as x^-index, from 1 up: their quantiles.
+inline double falling_off(int k, int scores, double index) {
+  return std::pow(scores / (k + 0.5), 1 / index);
+}
 
 /// Two telescopes; channel 0 counts line 0, channel 1 line 1, channel 2 lines 1 and 2; four gates
 /// of 5 m; orders 0, 1, 2 and above.
