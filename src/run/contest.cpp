@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -64,7 +65,7 @@ class Trial {
  public:
   Trial(const estimator::Model& open, const Contender& contender, std::uint64_t in_batch)
       : model_(model_of(open, contender)),
-        forward_(model_.scene.simulation.estimator == scene::Estimator::forward),
+        forward_(estimator() == scene::Estimator::forward),
         in_batch_(in_batch * (forward_ ? forward_factor : 1)),
         keeps_(scene::tally_memory(open.scene).bytes() < max_kept_bytes) {}
 
@@ -99,6 +100,7 @@ class Trial {
   [[nodiscard]] const Pilot& pilot_of_setting() const { return pilot_of_setting_; }
   [[nodiscard]] std::uint64_t photons() const { return photons_; }
   [[nodiscard]] double scores() const { return scores_; }
+  [[nodiscard]] scene::Estimator estimator() const { return model_.scene.simulation.estimator; }
   /// The operations of all stages.
   [[nodiscard]] double operations() const { return operations_; }
   [[nodiscard]] double cost_per_photon() const {
@@ -164,20 +166,49 @@ class Contest {
     for (const Trial& trial : trials_) out_.operations += trial.operations();
     const std::vector<Pilot> now = pilots();
     const std::vector<bool> compared = gates_compared(now, known_to());
-    const auto best = best_of(now, compared, out_.aim);
+    const auto best = best_among(staying_, compared);
     if (!best) return;
-    out_.best = best_ = staying_[*best];
+    out_.best = best_ = *best;
     out_.gates = static_cast<std::size_t>(std::ranges::count(compared, true));
-    work_of_worst_ = work_of_worst(now[*best], compared);
-    const double work = std::exp(badness(now[*best], compared, out_.aim));
+    const Trial& first = trials_[best_];
+    work_of_worst_ = work_of_worst(first.pilot(), compared);
     std::vector<std::size_t> stay;
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      Standing& standing = out_.standing[staying_[k]];
-      standing.times_the_work = std::exp(badness(now[k], compared, out_.aim)) / work;
-      standing.rows_unseen = now[*best].rows_seen - now[k].rows_seen;
-      if (k == *best || standing.times_the_work < clearly_worse) stay.push_back(staying_[k]);
+    for (const std::size_t i : staying_) {
+      Standing& standing = out_.standing[i];
+      standing.times_the_work = times_the_work(trials_[i], first, compared);
+      standing.rows_unseen = first.pilot().rows_seen - trials_[i].pilot().rows_seen;
+      if (i == best_ || standing.times_the_work < clearly_worse) stay.push_back(i);
     }
     staying_ = std::move(stay);
+  }
+
+  /// Of each estimator the best settings, and of these the best.
+  [[nodiscard]] std::optional<std::size_t> best_among(const std::vector<std::size_t>& all,
+                                                      const std::vector<bool>& compared) const {
+    std::map<scene::Estimator, std::vector<std::size_t>> settings_of;
+    for (const std::size_t i : all) settings_of[trials_[i].estimator()].push_back(i);
+    const auto best_of_trials = [&](const std::vector<std::size_t>& some, auto pilot) {
+      std::vector<Pilot> pilots;
+      for (const std::size_t i : some) pilots.push_back((trials_[i].*pilot)());
+      const auto best = best_of(pilots, compared, out_.aim);
+      return best ? std::optional(some[*best]) : std::nullopt;
+    };
+    std::vector<std::size_t> best_of_each;
+    for (const auto& [estimator, settings] : settings_of)
+      if (const auto best = best_of_trials(settings, &Trial::pilot_of_setting))
+        best_of_each.push_back(*best);
+    if (best_of_each.empty()) return std::nullopt;
+    return best_of_trials(best_of_each, &Trial::pilot);
+  }
+
+  /// The work of a trial over that of another one.
+  [[nodiscard]] double times_the_work(const Trial& one, const Trial& other,
+                                      const std::vector<bool>& compared) const {
+    const auto work = [&](const Trial& trial) {
+      const bool alike = one.estimator() == other.estimator();
+      return badness(alike ? trial.pilot_of_setting() : trial.pilot(), compared, out_.aim);
+    };
+    return std::exp(work(one) - work(other));
   }
 
   /// The squared error that a gate has to be known to after so many batches as there are.
@@ -196,10 +227,9 @@ class Contest {
     out_.operations += trials_.back().operations();
     const std::vector<Pilot> both{best, trials_.back().pilot_of_setting()};
     const std::vector<bool> compared = gates_compared(both, known_to());
-    const double work = std::exp(badness(both[1], compared, out_.aim));
     const bool taken = best_of(both, compared, out_.aim) == 1U;
     out_.tried.push_back(
-        {setting.name, work / std::exp(badness(both[0], compared, out_.aim)), taken});
+        {setting.name, times_the_work(trials_.back(), trials_[best_], compared), taken});
     if (!taken) return;
     best_ = trials_.size() - 1;
     work_of_worst_ = work_of_worst(trials_.back().pilot(), compared);
