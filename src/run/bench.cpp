@@ -75,6 +75,7 @@ Candidate chosen_by_auto(const scene::Scene& scene, const RunOptions& pilots) {
   const auto chosen = estimator::make_model(choose_estimator(open, pilots)).scene.simulation;
   Candidate c = candidate(scene, chosen.estimator, "as auto chooses");
   c.simulation = chosen;
+  c.simulation.batch_photons = scene.simulation.batch_photons;  // its repeats have fewer
   c.simulation.photons.reset();
   c.simulation.target_relative_error.reset();
   c.simulation.max_time_s.reset();
