@@ -13,7 +13,8 @@ constexpr double unknown_squared_error = 1 / share_between_estimators;
 /// No error is known to be smaller: they are differences of rounded sums.
 constexpr double min_squared_error = 1e-16;
 
-/// Pilots know the work of an estimator to about this factor (docs/decisions/0052).
+/// Pilots know the work of an estimator to about this factor: so much more of it is made up for by
+/// less cost (docs/decisions/0052).
 constexpr double alike = 1.2;
 
 /// The work in each gate that is compared.
@@ -74,12 +75,15 @@ std::optional<std::size_t> best_of(const std::vector<Pilot>& pilots,
     return pilot.rows_seen == rows ? badness(pilot, compared, aim)
                                    : std::numeric_limits<double>::infinity();
   };
-  double least = std::numeric_limits<double>::infinity();
-  for (const Pilot& pilot : pilots) least = std::min(least, log_work(pilot));
-  std::optional<std::size_t> best;
+  std::size_t least = 0;
+  for (std::size_t i = 0; i < pilots.size(); ++i)
+    if (log_work(pilots[i]) < log_work(pilots[least])) least = i;
+  std::size_t best = least;
   for (std::size_t i = 0; i < pilots.size(); ++i) {
-    if (log_work(pilots[i]) > least + std::log(alike)) continue;
-    if (!best || pilots[i].cost < pilots[*best].cost) best = i;
+    const double cheaper = std::min(alike, pilots[least].cost / pilots[i].cost);
+    if (log_work(pilots[i]) <= log_work(pilots[least]) + std::log(cheaper) &&
+        pilots[i].cost < pilots[best].cost)
+      best = i;
   }
   return best;
 }

@@ -38,9 +38,9 @@ double badness(const Pilot& pilot, const std::vector<bool>& compared, Aim aim);
 /// The work of the worst gate that is compared: what a run to a target waits for.
 double work_of_worst(const Pilot& pilot, const std::vector<bool>& compared);
 
-/// Of the pilots that saw light in most channels of telescopes the one of least cost among those
-/// that need hardly more work than the least: of pilots alike those of many independent samples are
-/// the ones to trust. None if none saw any light.
+/// Of the pilots that saw light in most channels of telescopes the one of least work, or a cheaper
+/// one whose work is more by no larger a factor than its cost is less, nor by much: of pilots alike
+/// those of many independent samples are the ones to trust. None if none saw any light.
 std::optional<std::size_t> best_of(const std::vector<Pilot>& pilots,
                                    const std::vector<bool>& compared, Aim aim);
 

@@ -17,8 +17,8 @@ struct Prices {
 
 // clang-format off
 // Both are written by benchmarks/prices.py.
-constexpr Prices forward_prices{.photons = 1278, .collisions = 0, .scores = 338, .local_estimates = 52, .facets = 1438, .ratios = 89};
-constexpr Prices bidirectional_prices{.photons = 2997, .collisions = 0, .scores = 0, .local_estimates = 0, .facets = 6660, .vertex_pairs = 789, .ray_pairs = 47, .meetings = 496, .free_meetings = 481, .meetings_by_waves = 331, .ratios = 56};
+constexpr Prices forward_prices{.photons = 1119, .collisions = 0, .scores = 438, .local_estimates = 42, .facets = 1306, .ratios = 101};
+constexpr Prices bidirectional_prices{.photons = 1881, .collisions = 0, .scores = 0, .local_estimates = 9828, .facets = 6968, .vertex_pairs = 629, .ray_pairs = 87, .meetings = 506, .free_meetings = 373, .meetings_by_waves = 638, .ratios = 63};
 // clang-format on
 
 /// The instructions that a simulation has taken, as predicted by its operations.

@@ -31,11 +31,13 @@ TEST(Pilots, AreComparedAtEqualCost) {
 }
 
 // Pilots know the work badly: of those alike the one that took less. Seen red: with the least work
-// alone; with the cheaper one whatever its work.
+// alone; with the cheaper one whatever its work; with one that is hardly cheaper.
 TEST(Pilots, ThatAreAlikeAreJudgedByTheirCost) {
   for (const Aim aim : {Aim::all_gates, Aim::worst_gates}) {
     EXPECT_EQ(best_of({pilot(200, {1.00e-4}), pilot(100, {2.3e-4})}, aim), 1U);
     EXPECT_EQ(best_of({pilot(200, {1.00e-4}), pilot(100, {2.5e-4})}, aim), 0U);
+    EXPECT_EQ(best_of({pilot(105, {1.00e-4}), pilot(100, {1.08e-4})}, aim), 1U);
+    EXPECT_EQ(best_of({pilot(105, {1.00e-4}), pilot(100, {1.14e-4})}, aim), 0U);
   }
 }
 
