@@ -6,7 +6,7 @@
 
 `count` runs every starter by several estimators and settings under callgrind, with so many photons and twice as many: the
 difference in instructions is that of so many photons, without the tables that a run begins with. The results list the operations.
-`fit` finds the prices that predict the instructions with the least squared relative error, none of them below 0.
+`fit` finds the prices, none of them below 0, whose mean and largest relative errors over all runs are least together.
 
 The program is that of PHOTIC_PROGRAM, or build/release/apps/photic/photic; it runs with AVX2.
 """
@@ -22,7 +22,7 @@ from pathlib import Path
 
 import netCDF4
 import numpy as np
-from scipy.optimize import nnls
+from scipy.optimize import linprog
 
 sys.dont_write_bytecode = True
 
@@ -30,13 +30,14 @@ from measure.program import ROOT, find_program  # noqa: E402
 
 HEADER = ROOT / "src/run/prices.hpp"
 OPERATIONS = ["photons", "collisions", "scores", "local_estimates", "facets", "vertex_pairs", "ray_pairs", "meetings",
-              "free_meetings", "meetings_by_waves", "ratios"]
-COLUMNS = ["scene", "way", "environments", *OPERATIONS, "instructions"]
-OF_ESTIMATOR = {  # the operations that each of them has
-    "forward": ["photons", "collisions", "scores", "local_estimates", "facets", "ratios"],
-    "bidirectional": ["photons", "collisions", "scores", "local_estimates", "facets", "vertex_pairs", "ray_pairs", "meetings",
-                      "free_meetings", "meetings_by_waves", "ratios"],
+              "free_meetings", "meetings_by_waves"]
+COLUMNS = ["scene", "way", "layered", "film", "environments", *OPERATIONS, "instructions"]
+OF_ESTIMATOR = {  # the prices that each of them has
+    "forward": ["photons", "collisions", "scores", "layered_scores", "facets", "film_facets", "ratios"],
+    "bidirectional": ["photons", "collisions", "scores", "layered_scores", "local_estimates", "facets", "film_facets", "vertex_pairs",
+                      "ray_pairs", "meetings", "free_meetings", "meetings_by_waves", "ratios"],
 }
+GROUP = 8  # environments are added up by so many: tally::EnvironmentScores
 NO_FREE_WALKS = ["free_telescope_meetings=0", "free_laser_meetings=0"]
 FREE_WALKS = ["free_telescope_meetings=0.3", "free_laser_meetings=1.0"]
 WAYS = {  # estimator, photons, settings
@@ -71,11 +72,15 @@ def run(program, scene, way, environments, photons, folder):
     return out, int(counted[1])
 
 
-def counts_of(result, instructions, environments):
+def row_of(result, instructions, environments):
+    """The properties of the scene that a result is of, and its counts."""
     with netCDF4.Dataset(result) as file:
+        scene = file.scene
         group = file.groups["continuation"]
-        counts = {name: int(getattr(group, name)) for name in OPERATIONS if name != "ratios"}
-    return {**counts, "ratios": counts["scores"] * environments, "instructions": instructions}
+        counts = {name: int(getattr(group, name)) for name in OPERATIONS}
+    layered = scene.count("[[sea.layer]]") > 1 or "[atmosphere]" in scene
+    properties = {"layered": int(layered), "film": int("[oil]" in scene), "environments": -(-environments // GROUP) * GROUP}
+    return properties, {**counts, "instructions": instructions}
 
 
 def count(program, only, output):
@@ -88,9 +93,9 @@ def count(program, only, output):
         writer.writeheader()
         runs = {job: [pool.submit(run, program, *job, n * WAYS[job[1]][1], Path(folder)) for n in (1, 2)] for job in jobs}
         for (scene, way, environments), both in runs.items():
-            once, twice = (counts_of(*one.result(), environments) for one in both)
+            (properties, once), (_, twice) = (row_of(*one.result(), environments) for one in both)
             more = {name: twice[name] - once[name] for name in once}
-            writer.writerow({"scene": scene, "way": way, "environments": environments, **more})
+            writer.writerow({"scene": scene, "way": way, **properties, **more})
             print(f"{scene}, {way}, {environments} environments", flush=True)
 
 
@@ -99,12 +104,25 @@ def read(table):
         return list(csv.DictReader(file))
 
 
+def priced(row, name):
+    """How often a price is to be paid."""
+    number = {key: float(value) for key, value in row.items() if key not in ("scene", "way")}
+    return {"layered_scores": number["scores"] * number["layered"], "film_facets": number["facets"] * number["film"],
+            "ratios": number["scores"] * number["environments"], **number}[name]
+
+
 def prices(rows, names):
     """The prices [instructions], and predicted over counted instructions of each row."""
-    counts = np.array([[float(row[name]) for name in names] for row in rows])
+    counts = np.array([[priced(row, name) for name in names] for row in rows])
     instructions = np.array([float(row["instructions"]) for row in rows])
     relative = counts / instructions[:, None]
-    price, _ = nnls(relative, np.ones(len(rows)))
+    # Predicted over counted, 1 + d, lies within 1 - 0.8 t and 1 + t; t and the mean of |d| are made small together.
+    runs, kinds = relative.shape
+    zero, one, each = np.zeros((runs, runs)), np.ones((runs, 1)), np.eye(runs)
+    none = np.zeros((runs, 1))
+    bounds = np.block([[relative, zero, -one], [-relative, zero, -0.8 * one], [relative, -each, none], [-relative, -each, none]])
+    sides = np.tile([1.0] * runs + [-1.0] * runs, 2)
+    price = linprog([*np.zeros(kinds), *np.full(runs, 1 / runs), 1], A_ub=bounds, b_ub=sides, method="highs").x[:kinds]
     return price, relative @ price
 
 

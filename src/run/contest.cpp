@@ -14,6 +14,7 @@
 #include "run/prices.hpp"
 #include "scene/tally_memory.hpp"
 #include "scene/walk_settings.hpp"
+#include "tally/batch_tally.hpp"
 #include "tally/error_bars.hpp"
 #include "tally/totals.hpp"
 
@@ -60,6 +61,13 @@ estimator::Model model_of(const estimator::Model& open, const Contender& contend
   return estimator::simulated_by(open, s);
 }
 
+PricedScene priced_scene(const estimator::Model& model) {
+  constexpr std::size_t group = tally::EnvironmentScores::size;
+  return {.layered = model.medium.layers() > 1 || model.air.has_value(),
+          .film = model.scene.oil.has_value(),
+          .environments = (model.shape.environments + group - 1) / group * group};
+}
+
 /// The pilot of one contender, which can go on.
 class Trial {
  public:
@@ -87,7 +95,7 @@ class Trial {
     scores_ = static_cast<double>(totals.scores());
     const double before = keeps_ ? pilot_.cost : 0;
     const double cost = instructions(forward_ ? forward_prices : bidirectional_prices,
-                                     totals.state(), model_.shape.environments);
+                                     totals.state(), priced_scene(model_));
     pilot_ = pilot_of(result, cost, share_between_estimators);
     pilot_of_setting_ = pilot_of(result, cost, share_between_settings);
     operations_ += cost - before;
