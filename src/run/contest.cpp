@@ -38,6 +38,9 @@ constexpr double known_at_last = 0.01;
 constexpr double contenders_share = 0.05, pilots_share = 0.1;
 /// A contender that needs so many times the work of the best after a stage does not come back.
 constexpr double clearly_worse = 8;
+/// A setting that is not so many times cheaper is taken for so large a gain, by which comparisons
+/// of pilots scatter (docs/decisions/0052).
+constexpr double clearly_cheaper = 1.2, gain = 1.3;
 /// Pilots for a run that ends by the clock alone have so many batches.
 constexpr std::uint64_t usual_batches = 64;
 
@@ -235,9 +238,10 @@ class Contest {
     out_.operations += trials_.back().operations();
     const std::vector<Pilot> both{best, trials_.back().pilot_of_setting()};
     const std::vector<bool> compared = gates_compared(both, known_to());
-    const bool taken = best_of(both, compared, out_.aim) == 1U;
-    out_.tried.push_back(
-        {setting.name, times_the_work(trials_.back(), trials_[best_], compared), taken});
+    const double work = times_the_work(trials_.back(), trials_[best_], compared);
+    const bool cheaper = both[1].cost * clearly_cheaper <= both[0].cost;
+    const bool taken = best_of(both, compared, out_.aim) == 1U && (cheaper || work * gain <= 1);
+    out_.tried.push_back({setting.name, work, taken});
     if (!taken) return;
     best_ = trials_.size() - 1;
     work_of_worst_ = work_of_worst(trials_.back().pilot(), compared);

@@ -103,6 +103,15 @@ TEST(Contest, TriesSettingsWithTheBestSoFar) {
   EXPECT_EQ(outcome.simulation.walk_attenuation, 0.6);
 }
 
+// Hardly cheaper, and hardly better. Seen red: without the gain that is asked for.
+TEST(Contest, LeavesSettingsThatGainLittle) {
+  const Outcome outcome =
+      contend(model_of(3e5), {contender(scene::Estimator::bidirectional)}, {meetings(90)}, {});
+  ASSERT_EQ(outcome.tried.size(), 1U);
+  EXPECT_LT(outcome.tried[0].times_the_work, 1.0);
+  EXPECT_FALSE(outcome.tried[0].taken);
+}
+
 // Seen red: with settings of walks tried with any estimator.
 TEST(Contest, TriesNoSettingsOfWalksWithHistories) {
   const Outcome outcome =
