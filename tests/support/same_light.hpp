@@ -13,8 +13,12 @@
 
 namespace photic::test {
 
+/// The share of cells by process and by order that are independent: both hold the same light. Over
+/// 30 seeds of six scenes under air it was 0.39 to 0.56, from how much rms z varies.
+inline constexpr double independent_share = 0.5;
+
 /// Cells are compared whose common error is below a share of what they hold, so many at least.
-/// False alarms: one in a hundred such pairs of results.
+/// False alarms: one in a hundred such pairs of results, by the largest z and by rms z each.
 inline void expect_same_light(const tally::Result& one, const tally::Result& other,
                               const std::string& name, double share, std::size_t least) {
   ZFamily family(0.01);
@@ -29,8 +33,9 @@ inline void expect_same_light(const tally::Result& one, const tally::Result& oth
   compare(one.grid("echo_by_order"), other.grid("echo_by_order"), "order");
   std::printf("%s: %zu cells, rms z %.2f\n", name.c_str(), family.size(), family.rms());
   EXPECT_GE(family.size(), least) << name;
-  EXPECT_LT(family.rms(), 1.3) << name;
+  SCOPED_TRACE(name);
   family.judge();
+  family.judge_scatter(independent_share);
 }
 
 }  // namespace photic::test

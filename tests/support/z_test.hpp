@@ -48,6 +48,15 @@ class ZFamily {
         << "errors claimed too small";
   }
 
+  /// Fails if the scores scatter more than standard normals do at the level: errors that are
+  /// claimed too small. `independent`: the share of the members that are, in effect.
+  void judge_scatter(double independent = 1) const {
+    const double degrees = independent * static_cast<double>(z_.size());
+    const boost::math::chi_squared distribution(degrees);
+    const double most = boost::math::quantile(boost::math::complement(distribution, level_));
+    EXPECT_LT(rms(), std::sqrt(most / degrees)) << "errors claimed too small";
+  }
+
   [[nodiscard]] std::size_t size() const { return z_.size(); }
   [[nodiscard]] double rms() const {
     double sum = 0;
