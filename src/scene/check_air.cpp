@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "core/constants.hpp"
 #include "optics/aerosol_profiles.hpp"
@@ -150,7 +151,12 @@ void check_refraction(const Scene& scene, Findings& findings) {
               max_bent_deg),
           "look down more steeply, or leave atmosphere.refraction out");
   };
-  check("source", scene.source.position_m, scene.source.direction);
+  if (scene.source.is_pulsed())
+    check("source", scene.source.position_m, scene.source.direction);
+  else if (findings.good({"source.kind", "atmosphere.refraction"}))
+    findings.add("atmosphere.refraction",
+                 "bent light is known along the axes of lasers and telescopes alone",
+                 "leave it out, or take source.kind = \"laser\"");
   for (std::size_t i = 0; i < scene.telescope.size(); ++i)
     check(below("telescope", i), scene.telescope[i].position_m, scene.telescope[i].direction);
   for (std::size_t i = 0; i < scene.atmosphere->layer.size(); ++i) {
@@ -167,6 +173,13 @@ void check_refraction(const Scene& scene, Findings& findings) {
 
 }  // namespace
 
+std::optional<double> top_of_air_m(const Scene& scene, const Findings& findings) {
+  constexpr double metres_per_km = 1000;
+  if (!scene.atmosphere || !findings.good({"atmosphere.layer", "atmosphere.top_km"})) return {};
+  const auto& layers = scene.atmosphere->layer;
+  return layers.empty() ? metres_per_km * scene.atmosphere->top_km : layers.back().top_height_m;
+}
+
 void check_atmosphere(const Scene& scene, Findings& findings) {
   if (!scene.atmosphere) return;
   const Atmosphere& air = *scene.atmosphere;
@@ -176,6 +189,9 @@ void check_atmosphere(const Scene& scene, Findings& findings) {
     check_aerosols(air, findings);
   if (findings.good({"atmosphere"})) remark_units(air, findings);
   check_gases(air, findings);
+  if (const auto* table = air.surface ? std::get_if<UserTable>(&air.surface->albedo) : nullptr;
+      table && findings.good({"atmosphere.surface"}))
+    check_albedo(*table, "atmosphere.surface.albedo", findings);
   if (air.refraction) check_refraction(scene, findings);
   check_heights(air.layer, findings);
   for (std::size_t i = 0; i < air.layer.size(); ++i) {

@@ -68,27 +68,28 @@ void check_angles(const optics::DataTable& table) {
 /// The medium's table has even steps of sqrt(1 - cos), of about so many degrees at most.
 constexpr double finest_deg = 0.5;
 
-void remark_on_fine_angles(const optics::DataTable& table, Findings& findings) {
+void remark_on_fine_angles(const optics::DataTable& table, const std::string& path,
+                           Findings& findings) {
   const auto deg = table.numbers_from_0(deg_column);
   for (std::size_t i = 1; i < deg.size(); ++i)
     if (deg[i] > deg[i - 1] && deg[i] - deg[i - 1] < finest_deg)
       return findings.remark(
-          "bottom.albedo",
-          fmt::format("the albedo is smoothed over {} degrees: {} and {} are closer", finest_deg,
-                      deg[i - 1], deg[i]));
+          path, fmt::format("the albedo is smoothed over {} degrees: {} and {} are closer",
+                            finest_deg, deg[i - 1], deg[i]));
 }
 
-void check_albedo(const UserTable& table, Findings& findings) {
+}  // namespace
+
+void check_albedo(const UserTable& table, const std::string& path, Findings& findings) {
   try {
     numbers_to(1, "albedo", table.data(), "it is the share of the light that is reflected");
     if (table.data().has(deg_column)) {
       check_angles(table.data());
-      remark_on_fine_angles(table.data(), findings);
+      remark_on_fine_angles(table.data(), path, findings);
     } else {
       optics::wavelengths_of(table.data());
     }
   } catch (const InputError& error) {
-    const std::string path = "bottom.albedo";
     for (const Diagnostic& d : error.diagnostics()) {
       const Place place{d.file, d.line, d.column};
       findings.add(path, d.line > 0 ? place : findings.place_of(path), d.reason, d.suggestion);
@@ -96,12 +97,10 @@ void check_albedo(const UserTable& table, Findings& findings) {
   }
 }
 
-}  // namespace
-
 void check_bottom(const Scene& scene, Findings& findings) {
   if (!scene.bottom || !findings.good({"bottom"})) return;
   if (const auto* table = std::get_if<UserTable>(&scene.bottom->albedo))
-    check_albedo(*table, findings);
+    check_albedo(*table, "bottom.albedo", findings);
   const auto& layers = scene.sea.layer;
   if (layers.empty() || layers.back().bottom_depth_m || !findings.good({"sea"})) return;
   findings.add("bottom", "the sea has no bed: its last layer is bottomless",

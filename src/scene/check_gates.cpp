@@ -172,7 +172,9 @@ void check_tools(const Scene& scene, Findings& findings) {
 std::pair<std::string, std::string> what_to_lessen(const TallyMemory& memory, const Scene& scene) {
   const Keys keys = keys_of(scene.gates);
   const bool more_environments = scene.environment.size() >= scene.sensitivity.size();
-  const double most = std::max({memory.depths, memory.orders, memory.other_waters, memory.rest});
+  const double most =
+      std::max({memory.depths, memory.orders, memory.other_waters, memory.rest, memory.tallies});
+  if (memory.tallies == most) return {"tally", "take fewer levels, directions or edges"};
   if (memory.other_waters == most)
     return {more_environments ? "environment" : "sensitivity",
             fmt::format("take fewer {}, or fewer gates",
@@ -204,6 +206,7 @@ void check_gates(const Scene& scene, Findings& findings) {
   if (!findings.good({keys.min, keys.max, keys.step})) return;
   if (!gates.depth_m && !gates.range_m && !gates.time_ns) return;
   if (!check_interval(gates.interval(), keys, findings)) return;
+  if (!scene.source.is_pulsed()) return;  // it has no telescopes
   const bool source_good = findings.good({"source.position_m", "source.direction"});
   const bool axis_good = findings.good({"telescope.0.position_m", "telescope.0.direction"});
   if (gates.depth_m && source_good && axis_good) check_depth_gates(scene, keys, findings);
@@ -227,7 +230,7 @@ void check_estimator(const Scene& scene, Findings& findings) {
 
 void check_memory(const Scene& scene, Findings& findings) {
   if (!findings.good({"telescope", "channel", "gates", "simulation.orders_kept", "environment",
-                      "sensitivity"}))
+                      "sensitivity", "tally"}))
     return;
   const TallyMemory memory = tally_memory(scene);
   if (memory.bytes() <= max_tally_memory) return;
@@ -237,14 +240,16 @@ void check_memory(const Scene& scene, Findings& findings) {
   };
   findings.add(
       path,
-      fmt::format("the tallies (telescopes {}, channels {}, gates {}, orders {}{}{}{}) would take "
-                  "{:.3g} GiB; the limit is 2 GiB",
-                  scene.telescope.size(), scene.channel.size(), scene.gates.count(),
-                  scene.simulation.orders_kept,
-                  count("cells of depth", static_cast<std::size_t>(scene.gates.depth_cells)),
-                  count("environments", scene.environment.size()),
-                  count("parameters", scene.sensitivity.size()),
-                  memory.bytes() / (max_tally_memory / 2.0)),
+      fmt::format(
+          "the tallies (telescopes {}, channels {}, gates {}, orders {}{}{}{}{}) would take "
+          "{:.3g} GiB; the limit is 2 GiB",
+          scene.telescope.size(), scene.channel.size(), scene.gates.count(),
+          scene.simulation.orders_kept,
+          count("cells of depth", static_cast<std::size_t>(scene.gates.depth_cells)),
+          count("environments", scene.environment.size()),
+          count("parameters", scene.sensitivity.size()),
+          count("cells of [[tally]]", static_cast<std::size_t>(cells_of_tallies(scene))),
+          memory.bytes() / (max_tally_memory / 2.0)),
       suggestion);
 }
 

@@ -23,10 +23,16 @@ void check_names(const std::vector<Named>& all, const std::string& section, Find
   }
 }
 
-/// Neither on the surface nor in the sea bed.
+/// Neither on the surface nor in the sea bed or the ground.
 void check_height(const std::string& path, const char* what, double z, const Scene& scene,
                   Findings& findings) {
   if (!findings.good({path})) return;
+  if (scene.is_of_air_alone()) {
+    if (!(z > 0.0))
+      findings.add(path, fmt::format("the {} is not above the ground at 0 m", what),
+                   "put it into the air (z > 0)");
+    return;
+  }
   if (z == 0.0)
     findings.add(path, fmt::format("the {} lies on the sea surface", what),
                  "put it into the air (z > 0) or into the water (z < 0)");
@@ -48,15 +54,76 @@ void remark_size(const std::string& path, double diameter_m, Findings& findings)
                                 plain_number(diameter_m)));
 }
 
-void check_source(const Scene& scene, Findings& findings) {
+void check_laser(const Scene& scene, Findings& findings) {
   const Source& source = scene.source;
   remark_size("source.diameter_m", source.diameter_m, findings);
   check_height("source.position_m", "source", source.position_m.z, scene, findings);
-  if (!findings.good({"source.position_m", "source.direction"})) return;
+  if (!findings.good({"source.position_m", "source.direction"}) || scene.is_of_air_alone()) return;
   if (source.position_m.z > 0.0 && source.direction.z >= 0.0)
     findings.add("source.direction",
                  "the light never meets the sea: a source in the air must point down",
                  "make the third number negative");
+}
+
+/// Parallel light comes from above all that scatters.
+void check_beam(const Scene& scene, Findings& findings) {
+  const Source& source = scene.source;
+  if (findings.good({"source.direction"}) && source.direction.z >= 0.0)
+    findings.add("source.direction", "the light of a beam comes from above and must point down",
+                 "make the third number negative");
+  if (source.is_everywhere || !findings.good({"source.position_m"})) return;
+  const double z = source.position_m.z;
+  const auto top = top_of_air_m(scene, findings);
+  if (top && z < *top)
+    findings.add("source.position_m",
+                 fmt::format("the beam begins at {} m, below the top of the air at {} m",
+                             plain_number(z), plain_number(*top)),
+                 "raise it, or take kind = \"point\", which may be in the air");
+  else if (!top && z <= 0.0)
+    findings.add("source.position_m",
+                 fmt::format("the beam begins at {} m and not above the sea", plain_number(z)),
+                 "raise it, or take kind = \"point\", which may be in the water");
+}
+
+/// A source inside the water or the air.
+void check_place(const Scene& scene, Findings& findings) {
+  const double z = scene.source.position_m.z;
+  check_height("source.position_m", "source", z, scene, findings);
+  const auto top = top_of_air_m(scene, findings);
+  if (top && z > *top && findings.good({"source.position_m"}))
+    findings.add("source.position_m",
+                 fmt::format("the source is at {} m, above the top of the air at {} m",
+                             plain_number(z), plain_number(*top)),
+                 "lower it, or take kind = \"beam\", which comes from outside");
+}
+
+/// What is of lasers alone.
+void check_without_laser(const Scene& scene, Findings& findings) {
+  const std::string word = word_of(scene.source.kind);
+  if (!scene.telescope.empty() && findings.good({"telescope"}))
+    findings.add("telescope.0",
+                 fmt::format("telescopes see light by its time, and a {} has no pulses", word),
+                 "take source.kind = \"laser\", or a [[tally]] in place of telescopes");
+  if (scene.simulation.estimator == Estimator::bidirectional && scene.tally.empty() &&
+      findings.good({"simulation.estimator"}))
+    findings.add("simulation.estimator", "the bidirectional estimator is for lasers alone",
+                 "write estimator = \"forward\"");
+}
+
+void check_source(const Scene& scene, Findings& findings) {
+  if (!findings.good({"source.kind"})) return;
+  switch (scene.source.kind) {
+    case SourceKind::laser:
+      return check_laser(scene, findings);
+    case SourceKind::beam:
+      check_beam(scene, findings);
+      break;
+    case SourceKind::point:
+    case SourceKind::cone:
+      check_place(scene, findings);
+      break;
+  }
+  check_without_laser(scene, findings);
 }
 
 void check_lens(const Telescope& t, std::size_t i, Findings& findings) {
@@ -88,8 +155,8 @@ void check_telescope(const Scene& scene, std::size_t i, Findings& findings) {
   remark_size(at(i, "diameter_m"), t.diameter_m, findings);
   remark_size(at(i, "detector_diameter_m"), t.detector_diameter_m.value_or(0), findings);
   check_lens(t, i, findings);
-  if (findings.good({at(i, "position_m"), at(i, "direction")}) && t.position_m.z > 0.0 &&
-      t.direction.z >= 0.0)
+  if (findings.good({at(i, "position_m"), at(i, "direction")}) && !scene.is_of_air_alone() &&
+      t.position_m.z > 0.0 && t.direction.z >= 0.0)
     findings.remark(at(i, "direction"), "this telescope in the air looks away from the sea");
 }
 

@@ -41,6 +41,13 @@ bool looks_flat(const Telescope& t) {
   return off_vertical + view > (90 - flattest_degrees) * radian_per_degree;
 }
 
+/// The local estimate of a telescope through facets has the weight that is alike both ways.
+void check_facets(const Scene& scene, Findings& findings) {
+  if (scene.sea.surface.facets == FacetWeight::conserving && !scene.telescope.empty())
+    findings.add("sea.surface.facets", "telescopes see waves with facets = \"reciprocal\" alone",
+                 "write that, leave facets out, or leave the telescopes out");
+}
+
 /// Refuses settings for which only the flat surface is known.
 void check_simulation(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
@@ -90,6 +97,7 @@ void check_surface(const Scene& scene, Findings& findings) {
   }
   check_size(surface, findings);
   check_whitecaps(surface, findings);
+  check_facets(scene, findings);
   if (findings.good({"simulation.estimator", "simulation.reception", "simulation.tools"}))
     check_simulation(scene, findings);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "scene/findings.hpp"
 #include "scene/scene.hpp"
@@ -17,6 +18,8 @@ void check_oil(const Scene& scene, Findings& findings);
 void check_atmosphere(const Scene& scene, Findings& findings);
 void check_bottom(const Scene& scene, Findings& findings);
 void check_instrument(const Scene& scene, Findings& findings);
+/// The quantities beside echoes, and what cannot do with them.
+void check_tallies(const Scene& scene, Findings& findings);
 void check_gates(const Scene& scene, Findings& findings);
 /// Checks that the estimator has what the scene asks for.
 void check_estimator(const Scene& scene, Findings& findings);
@@ -25,5 +28,11 @@ void check_memory(const Scene& scene, Findings& findings);
 
 /// Depth of the sea bed, if there is one and nothing is wrong with it.
 std::optional<double> sea_bed_m(const Scene& scene, const Findings& findings);
+
+/// Top of the air above the sea, if there is air and nothing is wrong with it.
+std::optional<double> top_of_air_m(const Scene& scene, const Findings& findings);
+
+/// Checks the table of an albedo at a path.
+void check_albedo(const UserTable& table, const std::string& path, Findings& findings);
 
 }  // namespace photic::scene

@@ -23,6 +23,43 @@ struct Alternative {
   const char* meaning;
 };
 
+/// The sources of light.
+enum class SourceKind : std::int8_t { laser, beam, point, cone };
+constexpr auto alternatives(SourceKind) {
+  using enum SourceKind;
+  return std::to_array<Alternative<SourceKind>>(
+      {{laser, "laser", "a disc that emits light uniformly into a cone"},
+       {beam, "beam",
+        "parallel light from outside: as wide as the world, as the sun's; with position_m a disc, "
+        "or a pencil"},
+       {point, "point", "one place in the water or the air, and one direction"},
+       {cone, "cone",
+        "one place in the water or the air, uniformly into a cone, or to all sides"}});
+}
+
+/// The quantities of radiative transfer that are tallied beside echoes.
+enum class TallyKind : std::int8_t { irradiance, boundaries, fluence, radiance };
+constexpr auto alternatives(TallyKind) {
+  using enum TallyKind;
+  return std::to_array<Alternative<TallyKind>>(
+      {{irradiance, "irradiance", "plane and scalar irradiances, down and up, at levels"},
+       {boundaries, "boundaries", "where all light ends: absorbed, escaped, by layer and angle"},
+       {fluence, "fluence", "the fluence about a source, by depth and distance"},
+       {radiance, "radiance", "the radiance of scattered light at levels, in directions"}});
+}
+
+/// The weight of light at a facet of a rough surface.
+enum class FacetWeight : std::int8_t { reciprocal, conserving };
+constexpr auto alternatives(FacetWeight) {
+  using enum FacetWeight;
+  return std::to_array<Alternative<FacetWeight>>(
+      {{reciprocal, "reciprocal",
+        "by the facet's projected area: light goes both ways alike, and some is gained under "
+        "grazing incidence"},
+       {conserving, "conserving",
+        "the same over its mean, Smith's 1 + Lambda: no light is gained"}});
+}
+
 /// The processes that turn light back, in the order of results.
 enum class Process : std::int32_t { elastic, raman, chlorophyll, cdom, oil };
 constexpr auto alternatives(Process) {

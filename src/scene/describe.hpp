@@ -6,6 +6,7 @@
 #include "scene/describe_air.hpp"
 #include "scene/describe_instrument.hpp"
 #include "scene/describe_sea.hpp"
+#include "scene/describe_tally.hpp"
 #include "scene/environment_grid.hpp"
 #include "scene/sensitivities.hpp"
 
@@ -149,6 +150,15 @@ void describe(V& v, Environment& e) {
              "sea., optics., bottom., oil. or atmosphere.");
 }
 
+/// What is not there where there is air alone.
+template <class V>
+void describe_waters(V& v, Scene& s) {
+  v.section("sea", s.sea, Need::optional, "the sea: its surface and its layers of water");
+  v.section("bottom", s.bottom, Need::optional,
+            "the sea bed, where the last layer ends; black without this section");
+  v.section("oil", s.oil, Need::optional, "a film of oil on all of the sea");
+}
+
 template <class V>
 void describe(V& v, Scene& s) {
   v.optional("title", s.title, Text{.may_be_empty = true}, "what is simulated, in one line");
@@ -156,17 +166,25 @@ void describe(V& v, Scene& s) {
              "the parameters of the water by which derivatives of echoes are taken, by their "
              "paths: those of --set that begin with sea., optics., bottom., oil. or atmosphere.");
   v.section("source", s.source, Need::required, "the source of light");
-  v.sections("telescope", s.telescope, Need::required, "a telescope; any number of them");
-  v.sections("channel", s.channel, Need::required,
-             "the light that one detector counts; any number of them");
+  v.any_of(
+      [&](auto& w) {
+        w.sections("telescope", s.telescope, Need::optional, "a telescope; any number of them");
+        w.sections("tally", s.tally, Need::optional,
+                   "a quantity of radiative transfer beside echoes; any number of them");
+      },
+      "add a [[telescope]] for echoes, a [[tally]] for irradiances, balances and other quantities, "
+      "or both");
+  v.with("telescope", !s.telescope.empty(), [&](auto& w) {
+    w.sections("channel", s.channel, Need::required,
+               "the light that one detector counts; any number of them");
+  });
   v.section("optics", s.optics, Need::optional, "the data and models of the water's optics");
-  v.section("sea", s.sea, Need::optional, "the sea: its surface and its layers of water");
-  v.section("bottom", s.bottom, Need::optional,
-            "the sea bed, where the last layer ends; black without this section");
-  v.section("oil", s.oil, Need::optional, "a film of oil on all of the sea");
+  v.unless("atmosphere", "surface", s.is_of_air_alone(), "a ground takes the place of the sea",
+           [&](auto& w) { describe_waters(w, s); });
   v.section("atmosphere", s.atmosphere, Need::optional,
             "the air above the sea; a vacuum without this section");
-  v.section("gates", s.gates, Need::required, "the range gates");
+  v.with("telescope", !s.telescope.empty(),
+         [&](auto& w) { w.section("gates", s.gates, Need::required, "the range gates"); });
   v.section("simulation", s.simulation, Need::required, "how long and how to simulate");
   v.sections(expert("environment"), s.environment, Need::optional,
              "other water, whose echoes are computed from the same histories; any number of them");

@@ -95,6 +95,14 @@ void describe_profile(V& v, Atmosphere& a) {
 }
 
 template <class V>
+void describe(V& v, Ground& g) {
+  v.required("albedo", g.albedo,
+             albedo_rule("zenith angles of the incident light, in degrees, ascending from 0 to 90"),
+             "the share of the light that the ground reflects, as a Lambert reflector: "
+             "a number, a table of wavelength_nm, zenith_deg or both, or { file = \"…\" }");
+}
+
+template <class V>
 void describe(V& v, Atmosphere& a) {
   v.optional(
       expert("refraction"), a.refraction, YesOrNo{},
@@ -105,6 +113,7 @@ void describe(V& v, Atmosphere& a) {
              w.sections(expert("layer"), a.layer, Need::required,
                         "the layers of air from the sea up");
            }));
+  v.table("surface", a.surface, "the ground below air alone, in place of the sea");
 }
 
 }  // namespace photic::scene

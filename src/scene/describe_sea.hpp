@@ -225,7 +225,7 @@ void describe(V& v, Surface& s) {
   using enum SurfaceModel;
   using Models = Among<SurfaceModel>;
   v.optional("model", s.model,
-             ChoiceOf<SurfaceModel>{{}, {{"slick", "model = \"cox-munk\" with slick = true"}}},
+             ChoiceOf<SurfaceModel>{{{"slick", "model = \"cox-munk\" with slick = true"}}},
              "the shape of the sea surface");
   v.when("model", s.model, Models{{cox_munk, paper}}, [&](auto& w) {
     w.required("wind_speed_m_s", s.wind_speed_m_s, wind_speed_rule,
@@ -261,6 +261,9 @@ void describe(V& v, Surface& s) {
   v.when("model", s.model, Models{{cox_munk, gaussian, paper}}, [&](auto& w) {
     w.optional(expert("whitecap_reflectance"), s.whitecap_reflectance,
                ChoiceOf<WhitecapReflectance>{}, "how much light whitecaps reflect");
+    w.optional(expert("facets"), s.facets, ChoiceOf<FacetWeight>{},
+               "the weight of light at every facet; by default \"reciprocal\" with a laser, else "
+               "\"conserving\"");
   });
 }
 
@@ -283,16 +286,19 @@ void describe(V& v, Sea& s) {
              default_profile_tolerance);
 }
 
+/// An albedo for light that comes in at zenith angles of this meaning.
+inline NumberOrTable albedo_rule(const char* zenith_meaning) {
+  return {from_to(0.0, 1.0),
+          {{{"wavelength_nm", "wavelengths in nm, ascending", true},
+            {"zenith_deg", zenith_meaning, true},
+            {"albedo", "the albedo there, 0 to 1"}}}};
+}
+
 template <class V>
 void describe(V& v, Bottom& b) {
   v.required("albedo", b.albedo,
-             NumberOrTable{from_to(0.0, 1.0),
-                           {{{"wavelength_nm", "wavelengths in nm, ascending", true},
-                             {"zenith_deg",
-                              "zenith angles of the incident light in the water, in degrees, "
-                              "ascending from 0 to 90",
-                              true},
-                             {"albedo", "the albedo there, 0 to 1"}}}},
+             albedo_rule("zenith angles of the incident light in the water, in degrees, ascending "
+                         "from 0 to 90"),
              "the share of the light that the sea bed reflects, as a Lambert reflector: "
              "a number, a table of wavelength_nm, zenith_deg or both, or { file = \"…\" }");
 }

@@ -9,9 +9,11 @@ constexpr ForwardSettings near_the_sea{0.5, 4};
 constexpr ForwardSettings far_above{0.25, 1};
 constexpr double far_m = 200;
 
-/// With what the scene names in place of some of them.
+/// With what the scene names in place of some of them. Directions drawn towards a telescope make
+/// fluxes noisy.
 ForwardSettings as_named(const Scene& scene, const ForwardSettings& usual) {
-  return {scene.simulation.directed_fraction.value_or(usual.directed_fraction),
+  const double directed = scene.tally.empty() ? usual.directed_fraction : 0.0;
+  return {scene.simulation.directed_fraction.value_or(directed),
           scene.simulation.scored_points.value_or(usual.scored_points)};
 }
 

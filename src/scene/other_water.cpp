@@ -38,6 +38,8 @@ constexpr const char* bends =
     "it bends the light, whose histories are the same in all environments";
 constexpr const char* times =
     "it times the light, whose histories are the same in all environments";
+constexpr const char* weighs =
+    "it weighs the light, whose histories are the same in all environments";
 constexpr const char* bends_and_times =
     "it bends and times the light, whose histories are the same in all environments";
 constexpr const char* borders =
@@ -56,6 +58,7 @@ constexpr Fixed fixed_of_layers[] = {{"name", called}, {"bottom_depth_m", border
 constexpr Fixed fixed_of_surface[] = {{"model", bends},
                                       {"wind_direction_deg", bends},
                                       {"gram_charlier", bends},
+                                      {"facets", weighs},
                                       {"whitecap_reflectance", bends}};
 
 /// The kind of air, by a profile or by layers, is a matter of the first key.
@@ -191,7 +194,9 @@ Scene OtherWater::read() {
   const Node here = written(scene);
   Comparison comparison(reference_.findings, findings_);
   comparison.compare_optics(*reference_.written.find("optics"), *here.find("optics"));
-  comparison.compare_seas(*reference_.written.find("sea"), *here.find("sea"));
+  if (const Node *sea = reference_.written.find("sea"), *sea_here = here.find("sea");
+      sea && sea_here)
+    comparison.compare_seas(*sea, *sea_here);
   comparison.compare_airs(reference_.written.find("atmosphere"), here.find("atmosphere"));
   comparison.compare_oils(reference_.written.find("oil"), here.find("oil"));
   if (reference_.check) reference_.check(scene, findings_);

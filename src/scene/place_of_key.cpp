@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,17 +75,28 @@ class KeyPlaces {
   void when(const char*, const T&, const Value&, const Keys& keys) {
     keys(*this);
   }
+  template <class E, class... Keys>
+  void by_choice(const char*, const E&, const ForChoice<E, Keys>&... groups) {
+    (groups.keys(*this), ...);
+  }
   template <class... Keys>
   void one_of(const Option<Keys>&... options) {
     (options.keys(*this), ...);
   }
   template <class Keys>
-  void any_of(const Keys& keys) {
+  void any_of(const Keys& keys, const char* = "") {
+    keys(*this);
+  }
+  template <class Keys>
+  void with(const char*, bool, const Keys& keys) {
+    keys(*this);
+  }
+  template <class Keys>
+  void unless(const char*, const char*, bool, const char*, const Keys& keys) {
     keys(*this);
   }
   template <class Action>
   void once_read(const Action&) {}
-  void unavailable(const char*, const char*) {}
 
   [[nodiscard]] const std::vector<Placed>& all() const { return all_; }
 
@@ -108,8 +120,9 @@ class KeyPlaces {
 }  // namespace
 
 std::optional<std::string> place_of_key(const std::string& key, bool at_top) {
-  // [source] of every scene has it: elsewhere it is meant for a band of a channel.
-  if (key == "wavelength_nm") return std::nullopt;
+  // [source] of every scene has it: elsewhere it is meant for a band of a channel. [gates] have
+  // depths of their own.
+  if (key == "wavelength_nm" || key == "depth_m") return std::nullopt;
   KeyPlaces places;
   Scene scene;
   describe(places, scene);
@@ -118,7 +131,7 @@ std::optional<std::string> place_of_key(const std::string& key, bool at_top) {
     if (lower_case(place.key) != lower_case(key)) continue;
     if (place.is_section && (!at_top || place.label.find('.') != std::string::npos))
       return fmt::format("write {}", place.label);
-    labels.push_back(place.label);
+    if (std::ranges::find(labels, place.label) == labels.end()) labels.push_back(place.label);
   }
   if (labels.empty() || labels.size() > 2) return std::nullopt;
   return fmt::format("it belongs in {}", joined(labels, "or"));

@@ -33,7 +33,6 @@ class ProfiledKeys {
   void tables(Rest&&...) {}
   template <class... Rest>
   void table_or_word(Rest&&...) {}
-  void unavailable(const char*, const char*) {}
 
   std::vector<ProfiledKey> keys;
 };

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 #include <utility>
 
+#include "core/constants.hpp"
 #include "core/error.hpp"
 #include "scene/air_levels.hpp"
 #include "scene/channel_steps.hpp"
@@ -156,6 +158,17 @@ void fill_in_oil(const Node& document, Scene& scene, Findings& findings) {
   fill_in_light(*scene.oil, findings);
 }
 
+/// The direction of light that comes from a zenith angle and an azimuth.
+void fill_in_direction(Source& source, Findings& findings) {
+  if (!findings.good({"source.zenith_deg", "source.azimuth_deg"}))
+    findings.spoil("source.direction");
+  if (!source.zenith_deg) return;
+  const double zenith = *source.zenith_deg * radian_per_degree;
+  const double azimuth = source.azimuth_deg * radian_per_degree;
+  source.direction = {-std::sin(zenith) * std::cos(azimuth), -std::sin(zenith) * std::sin(azimuth),
+                      -std::cos(zenith)};
+}
+
 /// LOWTRAN 7's visibility of clear air, unless levels have their own aerosols.
 void fill_in_air(Atmosphere& air) {
   fill_names(air.layer, "air");
@@ -173,6 +186,7 @@ Scene scene_of(const Node& document, const std::optional<std::string>& folder, F
   Reader reader(document, {"", "", "the scene"}, context);
   describe(reader, scene);
   reader.finish();
+  fill_in_direction(scene.source, findings);
   fill_names(scene.telescope, "telescope");
   fill_names(scene.sea.layer, "layer");
   fill_names(scene.environment, "environment");
@@ -209,6 +223,7 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   check_instrument(reading.scene, findings);
   check_gates(reading.scene, findings);
   check_surface(reading.scene, findings);
+  check_tallies(reading.scene, findings);
   check_memory(reading.scene, findings);
   read_on(document, layered, check, reading.scene, findings);
   findings.raise();

@@ -73,6 +73,12 @@ class Reader : public TableReader {
     descend(key, look(key), value, inline_name(key));
   }
 
+  /// One that may be left out as a whole.
+  template <class T>
+  void table(const char* key, std::optional<T>& value, const char*) {
+    if (const Node* node = look(key)) descend(key, node, value.emplace(), inline_name(key));
+  }
+
   template <class T, class Keys>
   void tables(const char* key, std::vector<T>& values, const char* meaning, const Keys& keys) {
     const Node* node = look(key);
@@ -101,6 +107,13 @@ class Reader : public TableReader {
       refuse_foreign(Names(keys), selector, word_of(chosen), words_of(choice));
   }
 
+  template <class E, class... Keys>
+  void by_choice(const char* selector, const E& chosen, const ForChoice<E, Keys>&... groups) {
+    if (shared_.findings.good({path_of(selector)}))
+      ((chosen == groups.value ? groups.keys(*this) : void()), ...);
+    refuse_of_others(selector, word_of(chosen), {{word_of(groups.value), Names(groups.keys)}...});
+  }
+
   template <class... Keys>
   void one_of(const Option<Keys>&... options) {
     forgive_missing_ = check_groups({Names(options.keys)...}) > 1;
@@ -109,9 +122,26 @@ class Reader : public TableReader {
   }
 
   template <class Keys>
-  void any_of(const Keys& keys) {
+  void any_of(const Keys& keys, const char* suggestion = "") {
     keys(*this);
-    check_any(Names(keys));
+    check_any(Names(keys), suggestion);
+  }
+
+  template <class Keys>
+  void with(const char* owner, bool, const Keys& keys) {
+    if (table_.find(owner))
+      keys(*this);
+    else
+      refuse_without(owner, Names(keys));
+  }
+
+  template <class Keys>
+  void unless(const char* table, const char* key, bool, const char* reason, const Keys& keys) {
+    const Node* node = table_.find(table);
+    if (node && node->find(key))
+      refuse_beside(below(table, key), reason, Names(keys));
+    else
+      keys(*this);
   }
 
   template <class Rule, class... Default>

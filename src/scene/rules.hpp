@@ -13,6 +13,7 @@
 #include "core/vec3.hpp"
 #include "scene/choices.hpp"
 #include "scene/node.hpp"
+#include "scene/scene.hpp"
 #include "scene/user_table.hpp"
 
 namespace photic::scene {
@@ -30,6 +31,7 @@ struct Number {
   double high = std::numeric_limits<double>::infinity();
   bool low_open = false;
   bool high_open = false;
+  const char* advice = "";  ///< to those who give another one
 };
 inline constexpr Number any_number{};
 inline constexpr Number positive{.low = 0.0, .low_open = true};
@@ -63,17 +65,27 @@ struct Numbers {
   using Value = std::vector<double>;
 };
 
+/// [a, b, …]: so many numbers or more.
+struct NumberList {
+  using Value = std::vector<double>;
+  Number number;
+  std::size_t least = 1;
+};
+
+/// [[zenith, azimuth], …]: directions in which light travels.
+struct TravelDirections {
+  using Value = std::vector<TravelDirection>;
+};
+
 /// A word to choose, and what it stands for.
 struct Word {
   std::string word, meaning;
 };
 
-/// One of some words; `later` are those the format knows and this version cannot do, `instead`
-/// what to write for words that are none.
+/// One of some words; `instead` is what to write for words that are none.
 struct Choice {
   using Value = std::string;
   std::vector<Word> words;
-  std::vector<std::string> later = {};
   std::vector<Word> instead = {};
 };
 
@@ -81,10 +93,8 @@ struct Choice {
 template <class E>
 struct ChoiceOf : Choice {
   using Value = E;
-  explicit ChoiceOf(const std::vector<std::string>& not_yet = {},
-                    const std::vector<Word>& write_instead = {}) {
+  explicit ChoiceOf(const std::vector<Word>& write_instead = {}) {
     for (const auto& [value, word, meaning] : alternatives(E{})) words.push_back({word, meaning});
-    later = not_yet;
     instead = write_instead;
   }
 };
@@ -168,6 +178,7 @@ inline constexpr bool is_quantity = requires {
            !std::is_same_v<typename Rule::Value, bool>) ||
               std::is_same_v<typename Rule::Value, NumberOrTable::Value> ||
               std::is_same_v<typename Rule::Value, std::vector<double>> ||
+              std::is_same_v<typename Rule::Value, std::vector<TravelDirection>> ||
               std::is_same_v<typename Rule::Value, Vec3<double>>;
 };
 
@@ -178,6 +189,9 @@ std::optional<Refusal> check(const Wavelength& rule, const Node& node, double& v
 std::optional<Refusal> check(const Count& rule, const Node& node, std::int64_t& value);
 std::optional<Refusal> check(const YesOrNo& rule, const Node& node, bool& value);
 std::optional<Refusal> check(const Numbers& rule, const Node& node, std::vector<double>& value);
+std::optional<Refusal> check(const NumberList& rule, const Node& node, std::vector<double>& value);
+std::optional<Refusal> check(const TravelDirections& rule, const Node& node,
+                             std::vector<TravelDirection>& value);
 std::optional<Refusal> check(const Choice& rule, const Node& node, std::string& value);
 template <class E>
 std::optional<Refusal> check(const ChoiceOf<E>& rule, const Node& node, E& value) {
@@ -201,12 +215,16 @@ Node to_node(E value) {
   return to_node(word_of(value));
 }
 
+Node to_node(const std::vector<TravelDirection>& value);
+
 /// The rule as JSON Schema.
 Node schema_of(const Number& rule);
 Node schema_of(const Wavelength& rule);
 Node schema_of(const Count& rule);
 Node schema_of(const YesOrNo& rule);
 Node schema_of(const Numbers& rule);
+Node schema_of(const NumberList& rule);
+Node schema_of(const TravelDirections& rule);
 Node schema_of(const Choice& rule);
 Node schema_of(const Text& rule);
 Node schema_of(const File& rule);

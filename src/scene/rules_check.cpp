@@ -69,7 +69,7 @@ std::optional<Refusal> check(const Number& rule, const Node& node, double& value
   const auto x = finite_number(node);
   const bool inside = x && (rule.low_open ? *x > rule.low : *x >= rule.low) &&
                       (rule.high_open ? *x < rule.high : *x <= rule.high);
-  if (!inside) return refusal(requirement_of(rule), node);
+  if (!inside) return refusal(requirement_of(rule), node, rule.advice);
   value = *x;
   return std::nullopt;
 }
@@ -110,13 +110,7 @@ std::optional<Refusal> check(const Choice& rule, const Node& node, std::string& 
   const auto* word = node.as<std::string>();
   std::vector<std::string> known;
   for (const Word& w : rule.words) known.push_back(w.word);
-  const auto among = [&](const std::vector<std::string>& words) {
-    return word && std::find(words.begin(), words.end(), *word) != words.end();
-  };
-  if (among(rule.later))
-    return Refusal{fmt::format("= {} is not available yet", quoted(*word)),
-                   fmt::format("available: {}", joined(known, "and"))};
-  if (!among(known)) {
+  if (!word || std::ranges::find(known, *word) == known.end()) {
     std::vector<std::string> words;
     for (const std::string& w : known) words.push_back(quoted(w));
     std::string suggestion = word ? suggestion_for(*word, known, "choose from") : "";

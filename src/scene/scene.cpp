@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/constants.hpp"
 #include "core/error.hpp"
 
 namespace photic::scene {
@@ -61,7 +62,15 @@ double Gates::Interval::steps() const {
   return std::ceil((max - min) / step - 1e-6);
 }
 
-std::int64_t Gates::count() const { return static_cast<std::int64_t>(interval().steps()); }
+double Source::half_divergence() const {
+  return fills_cone() ? half_angle_deg * radian_per_degree : half_divergence_mrad * 1e-3;
+}
+
+bool Gates::are_given() const { return depth_m || range_m || time_ns; }
+
+std::int64_t Gates::count() const {
+  return are_given() ? static_cast<std::int64_t>(interval().steps()) : 0;
+}
 
 bool Tools::any() const {
   Tools others = *this;
@@ -76,6 +85,7 @@ Scene scene_alone(const Scene& scene) {
           .source = scene.source,
           .telescope = scene.telescope,
           .channel = scene.channel,
+          .tally = scene.tally,
           .optics = scene.optics,
           .sea = scene.sea,
           .bottom = scene.bottom,

@@ -16,14 +16,31 @@
 
 namespace photic::scene {
 
-/// A laser as a disc whose light leaves in a cone (paper, section "The model").
+/// A source of light. A laser is a disc whose light leaves in a cone (paper, section "The model").
 struct Source {
-  std::string kind = "laser";
+  SourceKind kind = SourceKind::laser;
   double wavelength_nm{};
-  Vec3<double> position_m;  ///< centre of the disc; z up, sea level 0
-  Vec3<double> direction;   ///< of the light; any length but 0
-  double diameter_m{};
-  double half_divergence_mrad{};
+  /// Of a disc the centre, else the place; z up, sea level 0. Of a beam as wide as the world a
+  /// place above all that scatters, which means nothing.
+  Vec3<double> position_m{};
+  bool is_everywhere = false;        ///< a beam without a place: as wide as the world
+  Vec3<double> direction{};          ///< of the light, or the axis of a cone; any length but 0
+  std::optional<double> zenith_deg;  ///< a beam's, where it comes from, in place of a direction
+  double azimuth_deg = 0.0;          ///< the same, from +x to +y
+  double diameter_m{};               ///< laser, beam with a place; 0: a pencil
+  double half_divergence_mrad{};     ///< laser
+  double half_angle_deg{};           ///< cone
+  // The strength: at most one, that of its kind.
+  std::optional<double> energy_j, photons_per_pulse;  ///< laser
+  std::optional<double> power_w;                      ///< cone, point, beam with a place
+  std::optional<double> irradiance_w_m2;  ///< beam as wide as the world: across the beam
+
+  /// Returns whether telescopes may be there: light leaves at a time.
+  [[nodiscard]] bool is_pulsed() const { return kind == SourceKind::laser; }
+  /// Returns whether light leaves one place, in directions that fill a cone, however wide.
+  [[nodiscard]] bool fills_cone() const { return kind == SourceKind::cone; }
+  /// The half angle of the cone that its light leaves in [rad].
+  [[nodiscard]] double half_divergence() const;
   friend bool operator==(const Source&, const Source&) = default;
 };
 
@@ -139,6 +156,7 @@ struct Surface {
   std::optional<double> whitecap_fraction;  ///< none: by the law
   WhitecapLaw whitecap_law = WhitecapLaw::monahan1980;
   WhitecapReflectance whitecap_reflectance = WhitecapReflectance::koepke1984;
+  std::optional<FacetWeight> facets;  ///< none: reciprocal with a laser, else conserving
 
   /// Returns whether there are facets that are not level.
   [[nodiscard]] bool is_rough() const;
@@ -195,6 +213,12 @@ struct AirGases {
   friend bool operator==(const AirGases&, const AirGases&) = default;
 };
 
+/// The ground below air alone, a Lambert reflector.
+struct Ground {
+  std::variant<double, UserTable> albedo = 0.0;  ///< as Bottom::albedo
+  friend bool operator==(const Ground&, const Ground&) = default;
+};
+
 /// The air above the sea: a profile and its aerosols, or layers. Above it is a vacuum.
 struct Atmosphere {
   std::variant<std::string, UserTable> profile;  ///< one of AFGL's six, or levels
@@ -204,12 +228,32 @@ struct Atmosphere {
   std::string season = "spring-summer";
   std::optional<double> relative_humidity_percent;  ///< of the boundary layer; none: the profile's
   double top_km = 100.0;
-  std::vector<AirGases> gases;  ///< a ladder, from the sea up
-  std::vector<AirLayer> layer;  ///< from the sea up; empty where there is a profile
-  bool refraction = false;      ///< layers bend light
+  std::vector<AirGases> gases;    ///< a ladder, from the sea up
+  std::vector<AirLayer> layer;    ///< from the sea up; empty where there is a profile
+  bool refraction = false;        ///< layers bend light
+  std::optional<Ground> surface;  ///< in place of the sea: there is air alone
 
   [[nodiscard]] bool has_aerosols() const { return aerosol != "none"; }
   friend bool operator==(const Atmosphere&, const Atmosphere&) = default;
+};
+
+/// A direction in which light travels: its angle from straight up, and its azimuth from +x to +y.
+struct TravelDirection {
+  double zenith_deg{}, azimuth_deg{};
+  friend bool operator==(const TravelDirection&, const TravelDirection&) = default;
+};
+
+/// A quantity of radiative transfer that is tallied beside echoes.
+struct Tally {
+  TallyKind kind{};
+  std::string name;  ///< fluence: what results call it; may be empty where there is but one
+  /// Levels of irradiance and radiance, of one or of both; edges of a fluence, of one of them.
+  std::vector<double> depth_m, height_m;
+  std::optional<double> slab_m;       ///< irradiance; none: a twentieth of an attenuation length
+  std::vector<double> zenith_deg;     ///< boundaries: edges of the angles of light that escapes
+  std::vector<double> radius_m, x_m;  ///< fluence: edges, of one of them
+  std::vector<TravelDirection> direction_deg;  ///< radiance
+  friend bool operator==(const Tally&, const Tally&) = default;
 };
 
 /// Range gates by depth, by range along telescope 0's axis, or by time: exactly one kind
@@ -227,8 +271,9 @@ struct Gates {
   std::optional<Interval> time_ns;  ///< start_ns, stop_ns, step_ns
   std::int64_t depth_cells = 100;   ///< of echo_by_depth; 0: there is none
 
+  [[nodiscard]] bool are_given() const;            ///< false: there are no telescopes
   [[nodiscard]] const Interval& interval() const;  ///< the one that is given
-  [[nodiscard]] std::int64_t count() const;        ///< number of gates, from min to max
+  [[nodiscard]] std::int64_t count() const;  ///< number of gates, from min to max; 0 without them
   friend bool operator==(const Gates&, const Gates&) = default;
 };
 
@@ -322,8 +367,9 @@ struct Scene {
   Source source;
   std::vector<Telescope> telescope;
   std::vector<Channel> channel;
+  std::vector<Tally> tally;
   Optics optics;
-  Sea sea;
+  Sea sea;                               ///< without layers: there is air alone, above a ground
   std::optional<Bottom> bottom;          ///< none: black
   std::optional<Oil> oil;                ///< none: the sea is clean
   std::optional<Atmosphere> atmosphere;  ///< none: a vacuum
@@ -331,6 +377,13 @@ struct Scene {
   Simulation simulation;
   std::vector<Environment> environment;
 
+  /// The weight of light at facets: the surface's own, or that of the source.
+  [[nodiscard]] FacetWeight facet_weight() const {
+    const auto usual = source.is_pulsed() ? FacetWeight::reciprocal : FacetWeight::conserving;
+    return sea.surface.facets.value_or(usual);
+  }
+  /// Returns whether there is a ground in place of the sea.
+  [[nodiscard]] bool is_of_air_alone() const { return atmosphere && atmosphere->surface; }
   /// Returns whether echoes in other water are to be computed from the same histories.
   [[nodiscard]] bool has_environments() const {
     return !environment.empty() || !sensitivity.empty();

@@ -1,6 +1,8 @@
 #include "scene/schema_builder.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 #include "core/error.hpp"
 
@@ -79,6 +81,61 @@ void SchemaBuilder::conditional(const char* selector, const std::vector<std::str
   Node condition = keyed("if", std::move(chosen));
   condition.add("then", keyed("required", to_node(keys.needed())));
   condition.add("else", without(keys.all()));
+  conditions_.push_back(std::move(condition));
+}
+
+std::vector<std::string> SchemaBuilder::keys() const {
+  std::vector<std::string> names;
+  for (const Entry& property : properties_) names.push_back(property.key);
+  return names;
+}
+
+Node SchemaBuilder::take_in(SchemaBuilder group) {
+  for (Entry& property : group.properties_)
+    if (std::ranges::find(properties_, property.key, &Entry::key) == properties_.end())
+      properties_.push_back(std::move(property));
+  Node demands = empty_table();
+  if (!group.required_.empty()) demands.add("required", to_node(group.required_));
+  if (!group.conditions_.empty()) demands.add("allOf", {.value = std::move(group.conditions_)});
+  return demands;
+}
+
+void SchemaBuilder::choices(const char* selector, const std::string& by_default,
+                            std::vector<std::pair<std::string, SchemaBuilder>> groups) {
+  std::set<std::string> all;
+  for (const auto& [word, group] : groups)
+    for (const std::string& key : group.keys()) all.insert(key);
+  for (auto& [word, group] : groups) {
+    std::vector<std::string> foreign;
+    const std::vector<std::string> own = group.keys();
+    std::ranges::copy_if(all, std::back_inserter(foreign), [&](const std::string& key) {
+      return std::ranges::find(own, key) == own.end();
+    });
+    Node chosen = keyed("properties", keyed(selector, keyed("const", to_node(word))));
+    if (word != by_default) chosen.add("required", to_node(std::vector<std::string>{selector}));
+    Node then = take_in(std::move(group));
+    Node refused = without(foreign);
+    then.add("properties", std::move(*refused.find("properties")));
+    Node condition = keyed("if", std::move(chosen));
+    condition.add("then", std::move(then));
+    conditions_.push_back(std::move(condition));
+  }
+}
+
+void SchemaBuilder::only_with(const char* owner, SchemaBuilder group) {
+  Node condition = keyed("if", keyed("required", to_node(std::vector<std::string>{owner})));
+  Node refused = without(group.keys());
+  condition.add("then", take_in(std::move(group)));
+  condition.add("else", std::move(refused));
+  conditions_.push_back(std::move(condition));
+}
+
+void SchemaBuilder::only_without(const char* table, const char* key, SchemaBuilder group) {
+  Node given = keyed("required", to_node(std::vector<std::string>{table}));
+  given.add("properties", keyed(table, keyed("required", to_node(std::vector<std::string>{key}))));
+  Node condition = keyed("if", std::move(given));
+  condition.add("then", without(group.keys()));
+  condition.add("else", take_in(std::move(group)));
   conditions_.push_back(std::move(condition));
 }
 

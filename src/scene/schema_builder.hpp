@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "scene/annotate.hpp"
@@ -55,6 +56,11 @@ class SchemaBuilder {
     property(key, child.take(), meaning);
     return needed;
   }
+  template <class T>
+  void table(const Key& key, std::optional<T>&, const char* meaning) {
+    T value{};
+    table(key, value, meaning);
+  }
   template <class T, class Keys>
   void tables(const Key& key, std::vector<T>&, const char* meaning, const Keys& keys) {
     Node element;
@@ -85,15 +91,27 @@ class SchemaBuilder {
     adopt(keys);
     conditional(selector, words_of(choice), Names(keys));
   }
+  template <class E, class... Keys>
+  void by_choice(const char* selector, const E& by_default, const ForChoice<E, Keys>&... groups) {
+    choices(selector, word_of(by_default), {{word_of(groups.value), apart(groups.keys)}...});
+  }
   template <class... Keys>
   void one_of(const Option<Keys>&... options) {
     (adopt(options.keys), ...);
     alternatives({Names(options.keys)...});
   }
   template <class Keys>
-  void any_of(const Keys& keys) {
+  void any_of(const Keys& keys, const char* = "") {
     keys(*this);
     at_least_one(Names(keys));
+  }
+  template <class Keys>
+  void with(const char* owner, bool, const Keys& keys) {
+    only_with(owner, apart(keys));
+  }
+  template <class Keys>
+  void unless(const char* table, const char* key, bool, const char*, const Keys& keys) {
+    only_without(table, key, apart(keys));
   }
   template <class Rule, class... Default>
   void expanded(const Key& key, const Rule& rule, const char* meaning, const Default&... value) {
@@ -107,7 +125,6 @@ class SchemaBuilder {
   }
   template <class Action>
   void once_read(const Action&) {}
-  void unavailable(const char*, const char*) {}
 
   /// The schema of the table, to be called once at the end.
   [[nodiscard]] Node take();
@@ -136,8 +153,22 @@ class SchemaBuilder {
     keys(*this);
     required_.resize(required_before);
   }
+  /// A group of keys by itself, what must hold for them included.
+  template <class Keys>
+  static SchemaBuilder apart(const Keys& keys) {
+    SchemaBuilder child;
+    keys(child);
+    return child;
+  }
+  /// What a group asks for beside its properties, which become this table's.
+  Node take_in(SchemaBuilder group);
+  [[nodiscard]] std::vector<std::string> keys() const;
   void conditional(const char* selector, const std::vector<std::string>& choices,
                    const Names& keys);
+  void choices(const char* selector, const std::string& by_default,
+               std::vector<std::pair<std::string, SchemaBuilder>> groups);
+  void only_with(const char* owner, SchemaBuilder group);
+  void only_without(const char* table, const char* key, SchemaBuilder group);
   void alternatives(const std::vector<Names>& groups);
   void at_least_one(const Names& keys);
   /// One of two keys, if the other is required.
@@ -151,6 +182,9 @@ class SchemaBuilder {
   static void add_default(Node&, const std::optional<T>&) {}
   static void add_default(Node& schema, const std::string& value) {
     if (!value.empty()) schema.add("default", to_node(value));
+  }
+  static void add_default(Node& schema, const std::vector<double>& values) {
+    if (!values.empty()) schema.add("default", to_node(values));
   }
 
   Node::Table properties_;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 
 #include "optics/table_text.hpp"
 #include "scene/place_of_key.hpp"
@@ -89,14 +90,6 @@ bool TableReader::is_tables(const std::string& key, const Node& node, const Tabl
   return good;
 }
 
-void TableReader::unavailable(const char* key, const char* instead) {
-  const auto* table = table_.as<Node::Table>();
-  for (const Entry& entry : *table)
-    if (entry.key == key)
-      shared_.findings.add_at(entry.place, fmt::format("'{}' is not available yet", key), instead);
-  refused_.push_back(key);
-}
-
 /// A suggestion of what to write in place of a key that is not known here.
 std::string TableReader::instead_of(const std::string& key) const {
   if (const auto same = same_word(key, known_)) return *same;
@@ -109,7 +102,7 @@ void TableReader::finish() {
     const auto in = [&](const std::vector<std::string>& keys) {
       return std::find(keys.begin(), keys.end(), entry.key) != keys.end();
     };
-    if (in(known_) || in(refused_)) continue;
+    if (in(known_)) continue;
     shared_.findings.add_at(entry.place,
                             fmt::format("unknown key '{}' in {}", entry.key, name_.label),
                             instead_of(entry.key));
@@ -123,11 +116,52 @@ void TableReader::refuse_foreign(const Names& keys, const std::string& selector,
   const bool chosen = !word.empty() && shared_.findings.good({path_of(selector)});
   for (const std::string& key : keys.all()) {
     const Node* node = look(key);
-    if (!node || !chosen) continue;
-    refuse(key, *node,
-           {fmt::format("does not belong to {} = {}", selector, quoted(word)),
-            fmt::format("it belongs to {}", joined(owners, "and"))});
+    if (node && chosen) refuse_choice(key, *node, selector, word, owners);
   }
+}
+
+void TableReader::refuse_choice(const std::string& key, const Node& node,
+                                const std::string& selector, const std::string& word,
+                                const std::vector<std::string>& owners) {
+  refuse(key, node,
+         {fmt::format("does not belong to {} = {}", selector, quoted(word)),
+          fmt::format("it belongs to {}", joined(owners, "and"))});
+}
+
+void TableReader::refuse_of_others(const std::string& selector, const std::string& word,
+                                   const std::vector<std::pair<std::string, Names>>& choices) {
+  const bool chosen = shared_.findings.good({path_of(selector)});
+  std::map<std::string, std::vector<std::string>> owners;
+  for (const auto& [choice, keys] : choices)
+    for (const std::string& key : keys.all()) owners[key].push_back(quoted(choice));
+  for (const auto& [key, words] : owners) {
+    if (std::ranges::find(known_, key) != known_.end()) continue;
+    const Node* node = look(key);
+    if (!chosen)
+      shared_.findings.spoil(path_of(key));
+    else if (node)
+      refuse_choice(key, *node, selector, word, words);
+  }
+}
+
+void TableReader::refuse_without(const std::string& owner, const Names& keys) {
+  for (const std::string& key : keys.all()) {
+    const Node* node = look(key);
+    if (node && shared_.findings.good({path_of(owner)}))
+      shared_.findings.add(
+          path_of(key), node->place,
+          fmt::format("'{}' belongs to [[{}]], of which there is none", key, owner),
+          fmt::format("add one, or leave '{}' out", key));
+  }
+}
+
+void TableReader::refuse_beside(const std::string& path, const std::string& reason,
+                                const Names& keys) {
+  for (const std::string& key : keys.all())
+    if (const Node* node = look(key))
+      shared_.findings.add(path_of(key), node->place,
+                           fmt::format("'{}' and '{}' exclude each other: {}", key, path, reason),
+                           "keep one of them");
 }
 
 const Entry* TableReader::first_given(const Names& keys) const {
@@ -166,13 +200,15 @@ void TableReader::nothing_given(const std::vector<Names>& groups) {
   needs(ways);
 }
 
-void TableReader::check_any(const Names& keys) {
-  if (!first_given(keys)) needs(in_quotes(keys.all()));
+void TableReader::check_any(const Names& keys, const char* suggestion) {
+  if (first_given(keys)) return;
+  for (const std::string& key : keys.all()) shared_.findings.spoil(path_of(key));
+  needs(in_quotes(keys.all()), suggestion);
 }
 
-void TableReader::needs(const std::vector<std::string>& ways) {
+void TableReader::needs(const std::vector<std::string>& ways, const char* suggestion) {
   shared_.findings.add_at(table_.place, fmt::format("{} needs {}", name_.label, joined(ways, "or")),
-                          "");
+                          suggestion);
 }
 
 }  // namespace photic::scene

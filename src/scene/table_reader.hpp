@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/findings.hpp"
@@ -32,8 +33,6 @@ class TableReader {
   TableReader(const Node& table, TableName name, ReadContext& shared)
       : table_(table), name_(std::move(name)), shared_(shared) {}
 
-  /// A key of the format that this version refuses.
-  void unavailable(const char* key, const char* instead);
   /// To be called last: keys that were not asked for are errors.
   void finish();
 
@@ -58,10 +57,18 @@ class TableReader {
   /// Keys of a choice of `selector` that was not made: `word` was.
   void refuse_foreign(const Names& keys, const std::string& selector, const std::string& word,
                       const std::vector<std::string>& choices);
+  /// Keys of other choices of `selector` than the `word` that was made; all keys of each choice are
+  /// given. Where it is not known which was made, nothing is known of any of the keys.
+  void refuse_of_others(const std::string& selector, const std::string& word,
+                        const std::vector<std::pair<std::string, Names>>& choices);
+  /// Keys that make sense only beside a section that is not given.
+  void refuse_without(const std::string& owner, const Names& keys);
+  /// Keys whose place the value at a path has taken.
+  void refuse_beside(const std::string& path, const std::string& reason, const Names& keys);
   /// The number of the groups of keys that are given here; reports it if it should be one.
   std::size_t check_groups(const std::vector<Names>& groups);
   /// Says so if none of the keys is given.
-  void check_any(const Names& keys);
+  void check_any(const Names& keys, const char* suggestion);
   [[nodiscard]] const Entry* first_given(const Names& keys) const;
 
   const Node& table_;
@@ -71,10 +78,12 @@ class TableReader {
 
  private:
   void nothing_given(const std::vector<Names>& groups);
-  void needs(const std::vector<std::string>& ways);
+  void needs(const std::vector<std::string>& ways, const char* suggestion = "");
+  void refuse_choice(const std::string& key, const Node& node, const std::string& selector,
+                     const std::string& word, const std::vector<std::string>& owners);
   [[nodiscard]] std::string instead_of(const std::string& key) const;
 
-  std::vector<std::string> known_, refused_;
+  std::vector<std::string> known_;
 };
 
 }  // namespace photic::scene

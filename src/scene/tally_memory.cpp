@@ -1,5 +1,7 @@
 #include "scene/tally_memory.hpp"
 
+#include <algorithm>
+
 namespace photic::scene {
 namespace {
 
@@ -21,6 +23,34 @@ constexpr double per_kind_of_batch = 512.0;
 /// result.
 constexpr double per_water = 2 * 168.0 + 2 * 56.0 + 32.0;
 constexpr double per_water_of_batch = 56.0;
+/// Bytes of a cell of a tally beside echoes: tally::TallySums twice, sums of two batches, mean,
+/// error and flags; and octaves as above.
+constexpr double per_tally_cell = 2 * 72.0 + 2 * 16.0 + 24.0 + per_kind;
+constexpr double per_tally_cell_of_batch = 16.0 + per_kind_of_batch;
+
+/// Constituents of a layer, and layers of air that a profile becomes, at most.
+constexpr double max_constituents = 8, max_air_layers = 200;
+/// Quantities of the irradiances, and of the boundaries but for absorption and angles.
+constexpr double irradiances = 4, single_boundaries = 6;
+
+double cells_of_tally(const Tally& tally, const Scene& scene) {
+  const auto number = [](const auto& values) { return static_cast<double>(values.size()); };
+  const double levels = number(tally.depth_m) + number(tally.height_m);
+  const auto cells = [&](double edges) { return std::max(0.0, edges - 1); };
+  switch (tally.kind) {
+    case TallyKind::irradiance:
+      return irradiances * levels;
+    case TallyKind::radiance:
+      return levels * number(tally.direction_deg);
+    case TallyKind::fluence:
+      return cells(levels) * cells(number(tally.radius_m) + number(tally.x_m));
+    case TallyKind::boundaries:
+      return cells(number(tally.zenith_deg)) + single_boundaries +
+             max_constituents *
+                 (number(scene.sea.layer) + (scene.atmosphere ? max_air_layers : 0.0));
+  }
+  return 0;
+}
 
 /// The number of kinds of scores, at most (tally::kinds_of_technique).
 double kinds_in(const Scene& scene) {
@@ -29,6 +59,12 @@ double kinds_in(const Scene& scene) {
 }
 
 }  // namespace
+
+double cells_of_tallies(const Scene& scene) {
+  double cells = 0;
+  for (const Tally& tally : scene.tally) cells += cells_of_tally(tally, scene);
+  return cells;
+}
 
 TallyMemory tally_memory(const Scene& scene) {
   const auto number = [](auto count) { return static_cast<double>(count); };
@@ -43,9 +79,11 @@ TallyMemory tally_memory(const Scene& scene) {
           .orders = cells * orders * per_part,
           .other_waters = cells * waters * per_water,
           .rest = cells * (processes * per_part + per_cell + kinds_in(scene) * per_kind),
-          .batch = cells *
-                   ((depths + orders + processes) * per_sum_of_batch + waters * per_water_of_batch +
-                    per_cell_of_batch + kinds_in(scene) * per_kind_of_batch)};
+          .tallies = cells_of_tallies(scene) * per_tally_cell,
+          .batch = cells * ((depths + orders + processes) * per_sum_of_batch +
+                            waters * per_water_of_batch + per_cell_of_batch +
+                            kinds_in(scene) * per_kind_of_batch) +
+                   cells_of_tallies(scene) * per_tally_cell_of_batch};
 }
 
 }  // namespace photic::scene

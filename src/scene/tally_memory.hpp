@@ -13,10 +13,14 @@ inline constexpr double max_tally_memory = 2147483648.0;
 /// they grow with.
 struct TallyMemory {
   double depths, orders, other_waters, rest;
-  double batch;  ///< of each batch under way beyond the two that are counted above
-  [[nodiscard]] double bytes() const { return depths + orders + other_waters + rest; }
+  double tallies;  ///< beside echoes
+  double batch;    ///< of each batch under way beyond the two that are counted above
+  [[nodiscard]] double bytes() const { return depths + orders + other_waters + rest + tallies; }
 };
 
 TallyMemory tally_memory(const Scene& scene);
+
+/// The cells of all tallies beside echoes, at most.
+double cells_of_tallies(const Scene& scene);
 
 }  // namespace photic::scene

@@ -48,7 +48,10 @@ constexpr std::array key_units{
     KeyUnit{"_c", "degrees Celsius"},
     KeyUnit{"_m", "m", Unit{0, 0, 1, 0}, lengths},
     KeyUnit{"_m_s", "m/s"},
-    KeyUnit{"_s", "s"}};
+    KeyUnit{"_s", "s"},
+    KeyUnit{"_j", "J"},
+    KeyUnit{"_w", "W"},
+    KeyUnit{"_w_m2", "W/m2"}};
 
 const KeyUnit* key_unit(const std::string& key) {
   const auto found = std::find_if(key_units.begin(), key_units.end(),

@@ -7,17 +7,22 @@
 //   table, tables, table_or_word(name, value, …)     inline tables
 //   when(key, chosen, choice, keys)                  keys that belong to one choice of another key,
 //                                                    or to several (Among)
-//   one_of(option…), any_of(keys)                    exactly one of some groups of keys; at least
+//   by_choice(key, chosen, for_choice(value, keys)…) all keys of each choice of another key, which
+//                                                    may be those of several choices
+//   one_of(option…), any_of(keys, suggestion)        exactly one of some groups of keys; at least
 //                                                    one key
+//   with(key, active, keys)                          keys that make sense only beside another one
+//   unless(table, key, active, reason, keys)         keys whose place another one takes, which is
+//                                                    in a table
 //   once_read(action)                                done when the keys before have been read
 //   expanded(name, rule, meaning[, default])         a key that stands for others, and has become
 //                                                    them before anything is read
 //   in_place_of(name, other, rule, meaning)      the same, where it and the other exclude each
 //                                                    other
-//   unavailable(name, instead)                       a key of the format that this version refuses
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/constants.hpp"
@@ -63,6 +68,18 @@ Option<Keys> option(bool active, Keys keys) {
   return {active, std::move(keys)};
 }
 
+/// The keys of one choice of another key.
+template <class E, class Keys>
+struct ForChoice {
+  E value;
+  Keys keys;
+};
+
+template <class E, class Keys>
+ForChoice<E, Keys> for_choice(E value, Keys keys) {
+  return {value, std::move(keys)};
+}
+
 /// The visitor that learns the names in a group of keys.
 class Names {
  public:
@@ -95,18 +112,39 @@ class Names {
     else
       optional(name);
   }
+  template <class T, class... Rest>
+  void section(const char* name, T&, Need need, Rest&&...) {
+    if (need == Need::required)
+      required(name);
+    else
+      optional(name);
+  }
   template <class... Rest>
   void table_or_word(const char* name, Rest&&...) {
     all_.push_back(name);
   }
+  template <class... Keys>
+  void one_of(const Option<Keys>&... options) {
+    (add_some(options.keys), ...);
+  }
+  template <class Keys>
+  void any_of(const Keys& keys, const char* = "") {
+    add_some(keys);
+  }
   template <class Action>
   void once_read(const Action&) {}
-  void unavailable(const char*, const char*) {}
 
   [[nodiscard]] const std::vector<std::string>& all() const { return all_; }
   [[nodiscard]] const std::vector<std::string>& needed() const { return required_; }
 
  private:
+  /// Keys none of which alone must be given.
+  template <class Keys>
+  void add_some(const Keys& keys) {
+    const Names names(keys);
+    all_.insert(all_.end(), names.all_.begin(), names.all_.end());
+  }
+
   std::vector<std::string> all_, required_;
 };
 

@@ -53,6 +53,10 @@ class Writer {
   void table(const char* key, T& value, const char*) {
     table_.add(key, written(value, describe_it));
   }
+  template <class T>
+  void table(const char* key, std::optional<T>& value, const char*) {
+    if (value) table(key, *value, "");
+  }
   template <class T, class Keys>
   void tables(const char* key, std::vector<T>& values, const char*, const Keys& keys) {
     Node::Array array;
@@ -68,13 +72,25 @@ class Writer {
   void when(const char*, const T& chosen, const Value& choice, const Keys& keys) {
     if (chosen == choice) keys(*this);
   }
+  template <class E, class... Keys>
+  void by_choice(const char*, const E& chosen, const ForChoice<E, Keys>&... groups) {
+    ((chosen == groups.value ? groups.keys(*this) : void()), ...);
+  }
   template <class... Keys>
   void one_of(const Option<Keys>&... options) {
     (write_if_active(options), ...);
   }
   template <class Keys>
-  void any_of(const Keys& keys) {
+  void any_of(const Keys& keys, const char* = "") {
     keys(*this);
+  }
+  template <class Keys>
+  void with(const char*, bool active, const Keys& keys) {
+    if (active) keys(*this);
+  }
+  template <class Keys>
+  void unless(const char*, const char*, bool active, const char*, const Keys& keys) {
+    if (!active) keys(*this);
   }
   template <class... Rest>
   void expanded(const char*, const Rest&...) {}
@@ -82,7 +98,6 @@ class Writer {
   void in_place_of(const char*, const char*, const Rule&, const char*) {}
   template <class Action>
   void once_read(const Action&) {}
-  void unavailable(const char*, const char*) {}
 
   [[nodiscard]] Node take() { return std::move(table_); }
 

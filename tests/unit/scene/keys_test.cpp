@@ -51,26 +51,20 @@ diameter_m = 0.05)"}},
       {"EmptyFile",
        {{1, 30, ""}},
        {"scene.toml:1:1: [source] is missing (add it: the source of light)",
-        "scene.toml:1:1: [[telescope]] is missing (add it: a telescope; any number of them)",
-        "scene.toml:1:1: [[channel]] is missing (add it: the light that one detector counts; any "
-        "number "
-        "of them)",
+        "scene.toml:1:1: the scene needs 'telescope' or 'tally' (add a [[telescope]] for echoes, a "
+        "[[tally]] for irradiances, balances and other quantities, or both)",
         "scene.toml:1:1: [[sea.layer]] is missing (add it: the layers of water from the surface "
         "down)",
-        "scene.toml:1:1: [gates] is missing (add it: the range gates)",
         "scene.toml:1:1: [simulation] is missing (add it: how long and how to simulate)"}},
       {"EmptyLines",
        {{1, 30, R"(
 
 # nothing)"}},
        {"scene.toml:3:1: [source] is missing (add it: the source of light)",
-        "scene.toml:3:1: [[telescope]] is missing (add it: a telescope; any number of them)",
-        "scene.toml:3:1: [[channel]] is missing (add it: the light that one detector counts; any "
-        "number "
-        "of them)",
+        "scene.toml:3:1: the scene needs 'telescope' or 'tally' (add a [[telescope]] for echoes, a "
+        "[[tally]] for irradiances, balances and other quantities, or both)",
         "scene.toml:3:1: [[sea.layer]] is missing (add it: the layers of water from the surface "
         "down)",
-        "scene.toml:3:1: [gates] is missing (add it: the range gates)",
         "scene.toml:3:1: [simulation] is missing (add it: how long and how to simulate)"}},
       {"EmptyTables",
        {{1, 1, ""},
@@ -82,11 +76,13 @@ diameter_m = 0.05)"}},
         {30, 30, ""}},
        {"scene.toml:1:1: 'wavelength_nm' is missing in [source] (add it: the wavelength of its "
         "light in nm)",
-        "scene.toml:1:1: 'position_m' is missing in [source] (add it: the centre of the laser's "
-        "disc [x, y, z] in m; z is up, the sea level is 0)",
-        "scene.toml:1:1: 'direction' is missing in [source] (add it: the direction of the light "
-        "[x, y, z]; need not be normalised)",
-        "scene.toml:1:1: 'diameter_m' is missing in [source] (add it: the diameter of the laser's "
+        "scene.toml:1:1: 'position_m' is missing in [source] (add it: the centre of a disc, else "
+        "the "
+        "place of the source [x, y, z] in m; z is up, the sea level is 0)",
+        "scene.toml:1:1: 'direction' is missing in [source] (add it: the direction of the light, "
+        "or the axis of its "
+        "cone [x, y, z]; need not be normalised)",
+        "scene.toml:1:1: 'diameter_m' is missing in [source] (add it: the diameter of the "
         "disc in m)",
         "scene.toml:1:1: 'half_divergence_mrad' is missing in [source] (add it: the angle between "
         "the axis and the edge of the beam in mrad)",
@@ -115,7 +111,9 @@ diameter_m = 0.05)"}},
         "scene.toml:25:1: [simulation] is missing (add it: how long and how to simulate)"}},
       {"MissingTelescope",
        {{8, 14, ""}},
-       {"scene.toml:23:1: [[telescope]] is missing (add it: a telescope; any number of them)"}},
+       {"scene.toml:23:1: the scene needs 'telescope' or 'tally' (add a [[telescope]] for echoes, "
+        "a "
+        "[[tally]] for irradiances, balances and other quantities, or both)"}},
       {"MissingLayers",
        {{20, 25, ""}},
        {"scene.toml:24:1: [[sea.layer]] is missing (add it: the layers of water from the surface "
@@ -129,7 +127,7 @@ diameter_m = 0.05)"}},
        {{1, 1, R"(author = "me")"}},
        {"scene.toml:1:1: unknown key 'author' in the scene (known here: title, sensitivity, "
         "source, telescope, "
-        "channel, optics, sea, bottom, oil, atmosphere, gates, simulation, environment, "
+        "tally, channel, optics, sea, bottom, oil, atmosphere, gates, simulation, environment, "
         "environment_grid)"}},
       {"UnknownKeyInLayer",
        {{22, 22, "chlorophyl_mg_m3 = 0.1"}},

@@ -74,12 +74,13 @@ const std::vector<SetCase>& override_cases() {
        {R"(source={ kind = "laser" })"},
        {"--set source: 'wavelength_nm' is missing in [source] (add it: the wavelength of its light "
         "in nm)",
-        "--set source: 'position_m' is missing in [source] (add it: the centre of the laser's disc "
-        "[x, y, z] in m; z is up, the sea level is 0)",
-        "--set source: 'direction' is missing in [source] (add it: the direction of the light [x, "
-        "y, z]; "
+        "--set source: 'position_m' is missing in [source] (add it: the centre of a disc, else the "
+        "place of the source [x, y, z] in m; z is up, the sea level is 0)",
+        "--set source: 'direction' is missing in [source] (add it: the direction of the light, or "
+        "the axis of its "
+        "cone [x, y, z]; "
         "need not be normalised)",
-        "--set source: 'diameter_m' is missing in [source] (add it: the diameter of the laser's "
+        "--set source: 'diameter_m' is missing in [source] (add it: the diameter of the "
         "disc in m)",
         "--set source: 'half_divergence_mrad' is missing in [source] (add it: the angle between "
         "the axis and the edge of the beam in mrad)"}},

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "unit/scene/base_scene.hpp"
+#include "unit/scene/lit_scene.hpp"
 
 namespace photic::scene {
 namespace {
@@ -15,7 +16,7 @@ enum class Outcome { scene, refused };
 Outcome outcome_of(const std::string& text, const std::vector<Override>& overrides = {}) {
   try {
     const Scene scene = read_scene_text(text, "ship.toml", "/", overrides).scene;
-    EXPECT_GT(scene.gates.count(), 0);
+    EXPECT_EQ(scene.gates.count() > 0, !scene.telescope.empty());
     EXPECT_TRUE(read_scene_text(write_scene(scene), "written.toml", "/").scene == scene);
     return Outcome::scene;
   } catch (const InputError& error) {
@@ -60,29 +61,34 @@ TEST(Robustness, LinesMixedUp) {
   }
 }
 
+const std::vector<std::string>& any_values() {
+  static const std::vector<std::string> values{
+      "1",
+      "-1",
+      "0.0",
+      "1e308",
+      "nan",
+      "-inf",
+      "true",
+      "\"\"",
+      "[]",
+      "[[]]",
+      "[1, 2, 3]",
+      "{}",
+      "[{}]",
+      "{ model = 1 }",
+      "{ model = 'paper', wind_speed_m_s = 5 }",
+      "1979-05-27",
+      "\xFF\xFE",
+      "",
+      "9223372036854775807",
+      "{ depth_m = [0, 20], value = [1, 2] }",
+      "{ model = 'gaussian', background = 0, maximum = 1e300, "
+      "depth_m = 5, width_m = 1e-300 }"};
+  return values;
+}
+
 TEST(Robustness, AnyValueForAnyKey) {
-  const std::vector<std::string> values{"1",
-                                        "-1",
-                                        "0.0",
-                                        "1e308",
-                                        "nan",
-                                        "-inf",
-                                        "true",
-                                        "\"\"",
-                                        "[]",
-                                        "[[]]",
-                                        "[1, 2, 3]",
-                                        "{}",
-                                        "[{}]",
-                                        "{ model = 1 }",
-                                        "{ model = 'paper', wind_speed_m_s = 5 }",
-                                        "1979-05-27",
-                                        "\xFF\xFE",
-                                        "",
-                                        "9223372036854775807",
-                                        "{ depth_m = [0, 20], value = [1, 2] }",
-                                        "{ model = 'gaussian', background = 0, maximum = 1e300, "
-                                        "depth_m = 5, width_m = 1e-300 }"};
   const std::vector<std::string> paths{"title",
                                        "source",
                                        "source.kind",
@@ -148,11 +154,52 @@ TEST(Robustness, AnyValueForAnyKey) {
   const std::string surface = R"(surface = { model = "cox-munk", wind_speed_m_s = 5 })";
   const std::string base = edited({{19, 19, "[sea]\n" + surface}}) + environment;
   for (const std::string& path : paths) {
-    for (const std::string& value : values) {
+    for (const std::string& value : any_values()) {
       outcome_of(base, {path + "=" + value});
       outcome_of(base, {"environment.0.set." + path + "=" + value});
     }
   }
+}
+
+TEST(Robustness, AnyValueForAnyKeyOfTalliesAndOtherSources) {
+  const std::string tallies =
+      "[[tally]]\nkind = \"irradiance\"\ndepth_m = [1]\n[[tally]]\nkind = \"fluence\"\ndepth_m = "
+      "[0, 1]\nradius_m = [0, 1]\n" +
+      std::string(balance);
+  for (const std::string path : {"source.kind",
+                                 "source.position_m",
+                                 "source.direction",
+                                 "source.zenith_deg",
+                                 "source.diameter_m",
+                                 "source.half_angle_deg",
+                                 "source.power_w",
+                                 "source.irradiance_w_m2",
+                                 "telescope",
+                                 "channel",
+                                 "gates",
+                                 "tally",
+                                 "tally.0",
+                                 "tally.0.kind",
+                                 "tally.0.depth_m",
+                                 "tally.0.depth_m.0",
+                                 "tally.0.height_m",
+                                 "tally.0.slab_m",
+                                 "tally.1.name",
+                                 "tally.1.radius_m",
+                                 "tally.1.x_m",
+                                 "tally.2.zenith_deg",
+                                 "tally.0.direction_deg",
+                                 "sea",
+                                 "sea.surface.facets",
+                                 "sea.layer",
+                                 "atmosphere",
+                                 "atmosphere.surface",
+                                 "atmosphere.surface.albedo",
+                                 "simulation.directed_fraction"})
+    for (const std::string& value : any_values())
+      for (const char* source : {sun, lamp})
+        for (const char* world : {water, air_alone})
+          outcome_of(lit_scene(source, tallies, world), {path + "=" + value});
 }
 
 TEST(Robustness, DeepNestingIsRefused) {

@@ -1,17 +1,14 @@
-// The JSON Schema of scenes and the starter scene.
+// The JSON Schema of scenes.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "unit/scene/base_scene.hpp"
+#include "unit/scene/lit_scene.hpp"
 
 namespace photic::scene {
 namespace {
@@ -100,6 +97,22 @@ std::set<std::string> keys_of_scenes() {
             "simulation.conversion_probability=0.5", "simulation.walks=3", "simulation.meetings=10",
             "simulation.connected_fraction=0.5"}})
     collect_keys(json::parse(write_scene_json(base_scene(overrides))), keys);
+  const std::string maps =
+      "[[tally]]\nkind = \"fluence\"\nname = \"a\"\ndepth_m = [0, 1]\nradius_m = [0, 1]\n"
+      "[[tally]]\nkind = \"fluence\"\nname = \"b\"\nheight_m = [0, 1]\nx_m = [0, 1]";
+  const std::string levels =
+      "[[tally]]\nkind = \"irradiance\"\ndepth_m = [1]\nslab_m = 0.1\n"
+      "[[tally]]\nkind = \"radiance\"\ndepth_m = [1]\ndirection_deg = [[0, 0]]";
+  const std::string rough = std::string(water) +
+                            "\n[sea]\nsurface = { model = \"cox-munk\", wind_speed_m_s = 5, facets "
+                            "= \"conserving\" }";
+  for (const std::string& text :
+       {lit_scene(std::string(sun) + "\nirradiance_w_m2 = 1", levels),
+        lit_scene(std::string(lamp) + "\npower_w = 1", maps), lit_scene(sun, balance, rough),
+        lit_scene(std::string(laser) + "\nenergy_j = 1"),
+        lit_scene(std::string(laser) + "\nphotons_per_pulse = 1"),
+        lit_scene(sun, balance, air_alone)})
+    collect_keys(json::parse(write_scene_json(read_text(text))), keys);
   return keys;
 }
 
@@ -172,6 +185,11 @@ TEST(Schema, GivesTheUnitOfEveryQuantity) {
                                                  {"upwind_slope_variance", "1"},
                                                  {"whitecap_fraction", "1"},
                                                  {"slick", ""},
+                                                 {"energy_j", "J"},
+                                                 {"power_w", "W"},
+                                                 {"irradiance_w_m2", "W/m2"},
+                                                 {"direction_deg", "deg"},
+                                                 {"radius_m", "m"},
                                                  {"from", "nm"}};
   std::set<std::string> seen;
   for (const auto& [key, schema] : properties) {
@@ -217,8 +235,7 @@ TEST(Schema, SaysTypesRangesChoicesAndDefaults) {
   EXPECT_FALSE(schema["description"].get<std::string>().empty());
   EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
   EXPECT_EQ(schema["additionalProperties"], false);
-  EXPECT_EQ(schema["required"],
-            json({"source", "telescope", "channel", "sea", "gates", "simulation"}));
+  EXPECT_EQ(schema["required"], json({"source", "simulation"}));
   EXPECT_EQ(schema["properties"]["sensitivity"]["items"],
             json({{"type", "string"}, {"minLength", 1}}));
   EXPECT_EQ(schema["properties"]["sensitivity"]["default"], json::array());
@@ -226,11 +243,10 @@ TEST(Schema, SaysTypesRangesChoicesAndDefaults) {
             json({{"type", "array"}, {"minItems", 1}}));
   const json& source = schema["properties"]["source"];
   EXPECT_EQ(source["additionalProperties"], false);
-  EXPECT_EQ(source["required"], json({"wavelength_nm", "position_m", "direction", "diameter_m",
-                                      "half_divergence_mrad"}));
-  EXPECT_EQ(source["properties"]["kind"]["oneOf"],
-            json::array({{{"const", "laser"},
-                          {"description", "a disc that emits light uniformly into a cone"}}}));
+  EXPECT_EQ(source["required"], json({"wavelength_nm"}));
+  EXPECT_EQ(
+      source["properties"]["kind"]["oneOf"][0],
+      json({{"const", "laser"}, {"description", "a disc that emits light uniformly into a cone"}}));
   EXPECT_EQ(source["properties"]["position_m"]["minItems"], 3);
   const json& orders = schema["properties"]["simulation"]["properties"]["orders_kept"];
   EXPECT_EQ(orders["type"], "integer");
@@ -243,6 +259,37 @@ TEST(Schema, SaysTypesRangesChoicesAndDefaults) {
   EXPECT_EQ(phase_function["allOf"][0]["then"]["required"], json::array({"g"}));
   EXPECT_EQ(phase_function["properties"]["components"]["items"]["$ref"],
             "#/$defs/mixture_component");
+}
+
+// A source without a kind is a laser.
+// Seen red: with every choice asked for by name.
+TEST(Schema, EveryKindOfSourceHasKeysOfItsOwn) {
+  const json kinds = json::parse(scene_schema("1.2.3"))["properties"]["source"]["allOf"];
+  ASSERT_EQ(kinds.size(), 4U);
+  EXPECT_FALSE(kinds[0]["if"].contains("required"));
+  EXPECT_EQ(kinds[0]["then"]["required"],
+            json({"position_m", "direction", "diameter_m", "half_divergence_mrad"}));
+  EXPECT_EQ(kinds[0]["then"]["properties"]["power_w"], false);
+  EXPECT_EQ(kinds[1]["if"]["required"], json::array({"kind"}));
+  EXPECT_EQ(kinds[1]["if"]["properties"]["kind"]["const"], "beam");
+  EXPECT_EQ(kinds[1]["then"]["allOf"][0]["oneOf"][1]["required"], json::array({"zenith_deg"}));
+  EXPECT_FALSE(kinds[1]["then"]["properties"].contains("position_m"));
+  EXPECT_EQ(kinds[3]["then"]["required"], json({"position_m", "direction", "half_angle_deg"}));
+}
+
+// Seen red: with channels let through without telescopes.
+TEST(Schema, SectionsThatOthersAskFor) {
+  const json sections = json::parse(scene_schema("1.2.3"))["allOf"];
+  ASSERT_EQ(sections.size(), 4U);
+  EXPECT_EQ(sections[0]["anyOf"],
+            json::array({{{"required", {"telescope"}}}, {{"required", {"tally"}}}}));
+  EXPECT_EQ(sections[1]["if"]["required"], json::array({"telescope"}));
+  EXPECT_EQ(sections[1]["then"]["required"], json::array({"channel"}));
+  EXPECT_EQ(sections[1]["else"]["properties"]["channel"], false);
+  EXPECT_EQ(sections[2]["if"]["properties"]["atmosphere"]["required"], json::array({"surface"}));
+  EXPECT_EQ(sections[2]["then"]["properties"]["sea"], false);
+  EXPECT_EQ(sections[2]["else"]["required"], json::array({"sea"}));
+  EXPECT_EQ(sections[3]["then"]["required"], json::array({"gates"}));
 }
 
 // Where the choice is not made the set makes it: the file of another choice is not asked for then.
@@ -292,68 +339,6 @@ TEST(Schema, KeysThatExcludeEachOther) {
   EXPECT_EQ(focus[1]["properties"]["detector_shift_m"], false);
   EXPECT_EQ(schema["properties"]["simulation"]["allOf"][0]["anyOf"][2]["required"],
             json::array({"max_time_s"}));
-}
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-// Seen red: with rov.toml left out of the list in src/scene/CMakeLists.txt.
-TEST(Starter, EverySceneIsOne) {
-  std::set<std::string> kinds, files;
-  for (const auto& [kind, summary] : starter_kinds()) {
-    kinds.insert(kind);
-    EXPECT_TRUE(summary.ends_with('.')) << summary;
-  }
-  for (const auto& entry : std::filesystem::directory_iterator(PHOTIC_SOURCE_DIR "/scenes")) {
-    const std::string text = text_of(entry.path());
-    EXPECT_FALSE(text.empty());
-    if (entry.path().extension() != ".toml") continue;
-    EXPECT_EQ(starter_scene(entry.path().stem().string()), text);
-    files.insert(entry.path().stem().string());
-  }
-  EXPECT_EQ(kinds, files);
-}
-
-// Seen red: with argo-profile.csv left out of the list in src/scene/CMakeLists.txt.
-TEST(Starter, EveryFileOfAScene) {
-  std::map<std::string, std::string> known, there;
-  for (const auto& [kind, summary] : starter_kinds())
-    for (const auto& [name, text] : starter_files(kind)) known[name] = text;
-  for (const auto& entry : std::filesystem::directory_iterator(PHOTIC_SOURCE_DIR "/scenes"))
-    if (entry.path().extension() != ".toml") there[entry.path().filename()] = text_of(entry.path());
-  EXPECT_EQ(known, there);
-  EXPECT_FALSE(known.empty());
-}
-
-// Benchmarks are the same work each time; the others end where they are good enough.
-// Seen red: with photons in ship.toml.
-TEST(Starter, EndsByATargetOrATime) {
-  for (const auto& [kind, summary] : starter_kinds()) {
-    const auto reading = read_scene_text(starter_scene(kind), kind, PHOTIC_SOURCE_DIR "/scenes");
-    const Simulation s = reading.scene.simulation;
-    const bool benchmark = kind.starts_with("benchmark");
-    EXPECT_EQ(s.photons.has_value(), benchmark) << kind;
-    EXPECT_EQ(s.target_relative_error.has_value() && s.max_time_s.has_value(), !benchmark) << kind;
-  }
-}
-
-TEST(Starter, NamesTheKindsThereAre) {
-  const auto said = [](const std::string& kind) -> std::string {
-    try {
-      return starter_scene(kind);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-  };
-  EXPECT_EQ(said("shop"), "there is no starter scene 'shop' (did you mean 'ship'?)");
-  EXPECT_EQ(
-      said("satellite"),
-      "there is no starter scene 'satellite' (choose from: ship, ship-tilted, "
-      "ship-waves, biaxial, airborne, airborne-waves, bathymetric, airborne-high, spaceborne, "
-      "spaceborne-waves, rov, fluorosensor-355, oil-spill, oil-spill-airborne, argo, three-layers, "
-      "minimal, benchmark-peaked, benchmark-hg)");
 }
 
 }  // namespace

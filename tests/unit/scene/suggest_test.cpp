@@ -72,7 +72,7 @@ TEST(Suggest, TheSectionThatAKeyBelongsIn) {
        {"scene.toml:1:1: unknown key 'seed' in the scene (it belongs in [simulation])"}},
       {"ASection",
        {{1, 1, "surface = {}\nlayer = 1"}},
-       {"scene.toml:1:1: unknown key 'surface' in the scene (it belongs in [sea])",
+       {"scene.toml:1:1: unknown key 'surface' in the scene (it belongs in [sea] or [atmosphere])",
         "scene.toml:2:1: unknown key 'layer' in the scene (write [[sea.layer]])"}},
       {"NotThoseOfExperts",
        {{27, 27, "depth_m = 1\ndepth_max_m = 20"}},
