@@ -50,7 +50,7 @@ std::string table(const tally::Result& result, const RunCommand& command) {
   const auto width = static_cast<std::size_t>(columns(Stream::out, no_terminal));
   if (command.table == "none") return io::run_summary(result, width);
   io::TableLayout layout{.width = width};
-  if (command.table == "full") layout = {result.gates(), width, true};
+  if (command.table == "full") layout = {io::all_rows, width, true};
   return io::echo_table(result, layout);
 }
 

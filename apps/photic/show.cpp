@@ -1,8 +1,12 @@
+#include <fmt/format.h>
+
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/vec3.hpp"
 #include "estimator/focus.hpp"
 #include "estimator/model.hpp"
 #include "estimator/nested_views.hpp"
@@ -39,13 +43,22 @@ std::string comments(const std::string& head, const std::vector<std::string>& it
   return out;
 }
 
-/// The focus of telescopes, what the air takes of the laser's light, how paths are drawn, which
-/// telescopes share them, and where every number comes from.
+/// The light of the sun on a level area.
+std::vector<std::string> reported_light(const scene::Source& source) {
+  if (!source.irradiance_w_m2) return {};
+  return {fmt::format("{:.6g} W/m2 across the beam, {:.6g} W/m2 on the horizontal",
+                      *source.irradiance_w_m2,
+                      *source.irradiance_w_m2 * std::abs(normalised(source.direction).z))};
+}
+
+/// The irradiance by the sun, the focus of telescopes, what the air takes of the laser's light, how
+/// paths are drawn, which telescopes share them, and where every number comes from.
 std::string notes_on(const estimator::Model& model) {
   const tally::Result result = estimator::describe(model);
   const auto of_air = model.air ? medium::reported_air(estimator::reported_scene(model), *model.air)
                                 : std::vector<std::string>{};
-  return comments(
+  return comments("The irradiance of the source", reported_light(model.as_given.source)) +
+         comments(
              "The share of each open lens whose rays reach the detector, from points on its axis",
              estimator::reported_focus(model)) +
          comments("The air above the sea", of_air) +

@@ -12,14 +12,18 @@
 namespace photic::estimator {
 
 /// The half angle of the cone that holds all rays of an instrument [rad].
-inline double half_angle_of(const scene::Source& source) {
-  return source.half_divergence_mrad * 1e-3;
-}
+inline double half_angle_of(const scene::Source& source) { return source.half_divergence(); }
 inline double half_angle_of(const scene::Telescope& telescope) { return half_view(telescope); }
+
+/// Returns whether places and paths of an instrument's rays may begin ahead of it: of one that
+/// fills a wide cone no plane across its axis meets them all.
+inline bool begins_ahead(const scene::Source& source) { return !source.fills_cone(); }
+inline bool begins_ahead(const scene::Telescope&) { return true; }
 
 /// The distances ahead of an instrument to where its rays begin in a medium.
 template <class Instrument>
 geometry::Ahead ahead_in(const medium::Medium& medium, const Instrument& instrument) {
+  if (!begins_ahead(instrument)) return {};
   const auto axis = normalised(instrument.direction);
   if (medium.kind == medium::MediumKind::water)
     return geometry::ahead_of(instrument.position_m, axis);

@@ -50,8 +50,10 @@ Model model_of_air(const Model& model) {
   turn_upside_down(out.scene.source);
   for (scene::Telescope& t : out.scene.telescope) turn_upside_down(t);
   const double highest = std::max(0.0, std::ranges::max(heights_of(model.scene)));
-  const bool from_everywhere = std::ranges::any_of(  // light that all of the air scatters comes in
-      model.scene.telescope, [](const auto& t) { return geometry::stands_in_water(t.position_m); });
+  const bool from_everywhere =  // light that all of the air scatters comes in, or is tallied
+      !model.scene.tally.empty() || std::ranges::any_of(model.scene.telescope, [](const auto& t) {
+        return geometry::stands_in_water(t.position_m);
+      });
   const double counts_to =
       std::max(from_everywhere ? model.air->height_m.back() : highest, min_height_m);
   constexpr double ample_m = 1;  // for lenses' rims

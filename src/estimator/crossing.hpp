@@ -30,6 +30,8 @@ struct NoObserver {
   void met(const auto&, const auto&) {}
   void crossed(std::int32_t, const auto&, const auto&) {}
   void passes(const auto&, const auto&, const auto&, const auto&) {}
+  /// Light from outside that the flat surface reflects.
+  void reflected(const auto&, const auto&, const auto&) {}
 };
 
 /// Has light meet facets and whitecaps of a rough surface, until it goes down in the water or has
@@ -73,7 +75,9 @@ void cross_by_shares(const geometry::Slabs& sea, Track<T>& t, const Mask<T>& sta
   photon.direction = select(stand, down.direction, photon.direction);
   photon.weight = select(stand, down.weight, photon.weight);
   photon.analog_weight = select(stand, down.analog_weight, photon.analog_weight);
-  if (from_outside) observer.crossed(medium::through_film, T(T(0) - photon.direction.z), stand);
+  if (!from_outside) return;
+  observer.reflected(stand, leaving.direction, leaving.into_air);
+  observer.crossed(medium::through_film, T(T(0) - photon.direction.z), stand);
 }
 
 /// Facets as histories meet them. Where `splits`, the weight that rises in the air is split off.
@@ -90,7 +94,7 @@ struct FacetsOfHistories {
     observer.about_to_meet(at, facet);
     if (!world.slabs.surface.emits) return Mask<T>(false);
     const auto u = uniforms(place, facet_blocks[facet]);  // of the facet that is met
-    const auto by = transport::facet_met(waves, photon.direction, u[0], u[1]);
+    const auto by = transport::facet_met(waves, photon.direction, u[0], u[1], is_conserved(facet));
     return observer.emit(Mask<T>(at.meets & (by.gain > T(0))),
                          surface::AtFilm<T>{at.outside, photon.direction, by.facet.normal}, by.gain,
                          facet);
@@ -98,7 +102,12 @@ struct FacetsOfHistories {
   auto meet(const surface::RoughSurface<T>& surface, transport::Photon<T>& photon, At& at,
             std::uint32_t facet) const {
     const auto u = uniforms(place, facet_blocks[facet]);
-    return transport::meet_waves(surface, photon, at, {u[0], u[1], u[2], u[3]}, splits);
+    return transport::meet_waves(surface, photon, at, {u[0], u[1], u[2], u[3]}, splits,
+                                 is_conserved(facet));
+  }
+  /// Returns whether the weight at a facet is not yet over its mean.
+  [[nodiscard]] bool is_conserved(std::uint32_t facet) const {
+    return facet == 0 && world.slabs.waves.conserving;
   }
   template <class Observer>
   void take(const transport::Photon<T>& photon, const Mask<T>& meets,

@@ -10,6 +10,10 @@
 
 namespace photic::estimator {
 
+/// Directed sampling aims at no more ways than this; telescopes beyond have to do with the light of
+/// the others.
+inline constexpr int target_capacity = 16;
+
 /// The forward estimator's tools beyond the plain walk.
 template <class T>
 struct Tools {
@@ -26,7 +30,10 @@ struct ForwardSettings {
   std::vector<ViewCone<T>> cones;  ///< to choose points in that are scored
   T directed{};                    ///< share of directions drawn towards a telescope
   bool directs = false;            ///< true if any are
-  T conversion{};                  ///< probability of a branch into the inelastic processes
+  /// Of light to the levels of a radiance, towards which directions are drawn as towards a
+  /// telescope; none beside telescopes.
+  std::vector<Vec3<T>> radiance_directions;
+  T conversion{};              ///< probability of a branch into the inelastic processes
   bool single_rays = false;    ///< local estimates take one point of the lens instead of its mean
   bool makes_choices = false;  ///< true if collisions choose between lines or targets at all
   T weight_threshold{};

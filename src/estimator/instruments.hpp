@@ -49,6 +49,7 @@ struct Instruments {
   std::vector<double> path_to_origin;  ///< of each telescope, see path_to_origin()
   std::vector<ViewGroup<T>> groups;    ///< of telescopes: each is in one
   std::vector<Deadline<T>> deadlines;  ///< one of which the laser's light has to meet
+  bool all_times = false;              ///< it need not: tallies beside echoes count all light
   T min_group_index{};                 ///< of all lines
 
   /// The region of an instrument: of_laser, or a telescope behind it.

@@ -7,6 +7,7 @@
 #include "estimator/instruments.hpp"
 #include "estimator/make_instruments.hpp"
 #include "estimator/model.hpp"
+#include "estimator/tallies/tallies.hpp"
 #include "estimator/walk_settings.hpp"
 #include "scene/forward_settings.hpp"
 #include "scene/walk_settings.hpp"
@@ -47,10 +48,25 @@ void add_views(const Model& model, const Instruments<T>& instruments, ForwardSet
   }
 }
 
-/// `all_events`: of the world.
+/// The share of directions drawn about those of a radiance: on peaked phase functions its estimate
+/// has no finite variance without (docs/theory.md, "Radiance").
+inline constexpr double directed_to_radiance = 0.1;
+
+template <class T>
+void direct_to_radiance(const Tallies& tallies, ForwardSettings<T>& out) {
+  if (!tallies.radiance) return;
+  for (const RadianceWay& way : tallies.radiance->ways())
+    if (out.radiance_directions.size() < target_capacity)
+      out.radiance_directions.push_back(vec3_cast<T>(way.direction));
+  out.directed = T(directed_to_radiance);
+  out.directs = !out.radiance_directions.empty();
+}
+
+/// `all_events`: of the world. `tallies`: beside echoes; may be null.
 template <class T>
 ForwardSettings<T> make_forward_settings(const Model& model, const geometry::Slabs& slabs,
-                                         const Instruments<T>& instruments, bool all_events) {
+                                         const Instruments<T>& instruments, bool all_events,
+                                         const Tallies* tallies = nullptr) {
   const scene::Scene& scene = model.scene;
   const scene::Simulation& asked = scene.simulation;
   ForwardSettings<T> out;
@@ -64,6 +80,7 @@ ForwardSettings<T> make_forward_settings(const Model& model, const geometry::Sla
   add_views(model, instruments, out);
   out.directed = T(scene::directed_fraction_in(scene));
   out.directs = scene::directed_fraction_in(scene) > 0;
+  if (tallies != nullptr && scene.telescope.empty()) direct_to_radiance(*tallies, out);
   out.flies_on = out.directs && !all_events && out.cones.empty() &&
                  slabs.surface.one_direction_each && !slabs.surface.absorbs;
   out.single_rays = asked.reception == scene::Reception::ray;

@@ -9,6 +9,7 @@
 #include "estimator/make_walk_settings.hpp"
 #include "estimator/plan.hpp"
 #include "estimator/reach.hpp"
+#include "estimator/tallies/make_tallies.hpp"
 #include "estimator/walk_cones.hpp"
 #include "estimator/world.hpp"
 #include "scene/scene.hpp"
@@ -44,13 +45,16 @@ World<T> make_world(const Model& model) {
   World<T> world;
   world.slabs = model.paths.slabs(medium);
   world.has_environments = scene.has_environments();
-  world.all_events = world.has_environments || scene.simulation.tools.any();
+  world.tallies = make_tallies(model, world.slabs);
+  world.all_events = world.has_environments || scene.simulation.tools.any() || world.tallies;
   world.instruments = make_instruments<T>(model, world.slabs);
   world.instruments.min_group_index = T(group_index.least);
+  world.instruments.all_times = world.tallies != nullptr;
   world.instruments.deadlines =
       deadlines_at_telescopes<T>(scene, last_path + max_lost(cones.laser, model.gates),
                                  ahead_in(medium, scene.source), group_index.greatest);
-  world.forward = make_forward_settings(model, world.slabs, world.instruments, world.all_events);
+  world.forward = make_forward_settings(model, world.slabs, world.instruments, world.all_events,
+                                        world.tallies.get());
   world.walks = make_walk_settings(model, world.instruments, reach, cones);
   if (const auto& max_order = scene.simulation.max_order)
     world.part.last_order = static_cast<std::int32_t>(*max_order) + 1;

@@ -14,9 +14,11 @@
 #include "estimator/random_blocks.hpp"
 #include "estimator/round_earth.hpp"
 #include "estimator/strategies.hpp"
+#include "estimator/tallies/grids.hpp"
 #include "estimator/unused_settings.hpp"
 #include "estimator/walk_attenuation.hpp"
 #include "estimator/walk_cones.hpp"
+#include "medium/air_alone.hpp"
 #include "medium/build.hpp"
 #include "medium/check.hpp"
 #include "medium/environments.hpp"
@@ -65,10 +67,10 @@ std::vector<std::string> processes_in(const medium::Medium& medium, bool air) {
   return out;
 }
 
-tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium, bool air,
-                        const tally::Gates& gates) {
+tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
+                        const std::optional<medium::Air>& air, const tally::Gates& gates) {
   tally::Shape shape;
-  const auto processes = processes_in(medium, air);
+  const auto processes = processes_in(medium, air.has_value());
   shape.grids = tally::echo_grids(static_cast<std::size_t>(scene.simulation.orders_kept) + 1,
                                   processes, gates.depth_edges(scene.gates.depth_cells));
   for (const std::string& process : processes)
@@ -79,6 +81,7 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   shape.channels = scene.channel.size();
   shape.gates = static_cast<std::size_t>(gates.count());
   shape.max_order = static_cast<std::int32_t>(scene.simulation.max_order.value_or(0));
+  shape.tallies = tally_grids(scene, medium, air);
   if (scene.simulation.estimator == scene::Estimator::bidirectional)
     shape.techniques = tally::kinds_of_technique;
   shape.environments = scene.environment.size() + scene.sensitivity.size();
@@ -93,7 +96,7 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
     }
     shape.channels_of_line.push_back(std::move(counted_by));
   }
-  const auto last_touched = static_cast<std::int32_t>(touched_in(medium, air).back());
+  const auto last_touched = static_cast<std::int32_t>(touched_in(medium, air.has_value()).back());
   for (std::int32_t touched = 0; touched <= last_touched; ++touched)
     for (const auto& line : medium.line) {
       const auto at =
@@ -211,44 +214,78 @@ void name_settings(const scene::Scene& scene, const medium::Medium& medium,
   s = without_unused_settings(effective, medium);
 }
 
+/// A height above all that scatters, and all that is tallied [m].
+double above_all(const scene::Scene& scene, const std::optional<medium::Air>& air) {
+  double highest = air ? air->height_m.back() : 0;
+  for (const scene::Tally& tally : scene.tally)
+    for (const double height : tally.height_m) highest = std::max(highest, height);
+  constexpr double ample_m = 1;
+  return highest + ample_m;
+}
+
+/// The optical depths of the levels of a radiance in the source's light, from the surface.
+std::vector<double> radiance_depths(const Model& model) {
+  std::vector<double> out;
+  const auto sea = model.medium.view();
+  for (const scene::Tally& tally : model.scene.tally) {
+    if (tally.kind != scene::TallyKind::radiance) continue;
+    for (const TallyLevel& level : levels_of(tally)) {
+      const double distance = model.from_surface(level);
+      if (level.in_air && !model.is_air_alone())
+        out.push_back(model.air ? medium::column_to(*model.air, distance).optical_depth.front()
+                                : 0);
+      else
+        out.push_back(sea.optical_depth<double>(
+            0, sea.level<double>(model.medium.layer_at(distance), distance)));
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 Model make_model(const scene::Scene& scene) {
   const optics::Library library(optics::find_data_folder());
-  auto medium = medium::build_medium(scene, library);
+  const bool air_alone = scene.is_of_air_alone();
+  auto medium = air_alone ? medium::build_air_alone(scene) : medium::build_medium(scene, library);
   check_instruments(scene, medium);
-  auto air = medium::build_air(scene, medium.line);
-  auto columns = air ? columns_to(*air, heights_of(scene)) : std::vector<ColumnTables>{};
+  auto air = air_alone ? std::nullopt : medium::build_air(scene, medium.line);
+  scene::Scene effective = scene;
+  if (air_alone) effective.source.position_m.z -= medium.top.back();
+  if (scene.source.is_everywhere) effective.source.position_m.z = above_all(scene, air);
+  auto columns = air ? columns_to(*air, heights_of(effective)) : std::vector<ColumnTables>{};
   auto others = air && scene.has_environments() ? medium::other_airs(scene, medium.line)
                                                 : std::vector<medium::OtherAir>{};
   if (!others.empty()) {
-    medium.environments.excess_outside = medium::excess_depths(others, heights_of(scene));
+    medium.environments.excess_outside = medium::excess_depths(others, heights_of(effective));
     medium.finish();
   }
   for (std::size_t l = 0; air && l < medium.line.size(); ++l)
     medium.line[l].air_delay = medium::delay_of(*air, l);
-  scene::Scene effective = scene;
   geometry::ApparentPath apparent_path;
   if (air && scene.atmosphere->refraction) {
     apparent_path = put_where_they_seem(*air, effective);
     medium::count_against_vacuum(*air, medium);
   }
   tally::Gates gates(effective, medium.line, apparent_path);
-  auto shape = make_shape(scene, medium, air.has_value(), gates);
+  auto shape = make_shape(scene, medium, air, gates);
   name_settings(scene, medium, effective);
   auto paths = free_paths(medium, scene.simulation);
   auto averaged = averaged_phases(scene, medium);
-  return {std::move(effective),
-          std::move(medium),
-          std::move(paths),
-          std::move(gates),
-          std::move(shape),
-          std::move(averaged),
-          std::move(air),
-          std::move(columns),
-          std::move(others),
-          std::move(apparent_path),
-          {scene.source, scene.telescope}};
+  Model model{std::move(effective),
+              std::move(medium),
+              std::move(paths),
+              std::move(gates),
+              std::move(shape),
+              std::move(averaged),
+              std::move(air),
+              std::move(columns),
+              std::move(others),
+              std::move(apparent_path),
+              {scene.source, scene.telescope},
+              {}};
+  model.level_depth = radiance_depths(model);
+  return model;
 }
 
 scene::Scene reported_scene(const Model& model) {
@@ -306,13 +343,19 @@ tally::Result describe(const Model& model) {
         result.film_attenuation_per_m.push_back(ways.attenuation_per_m);
         result.film_interface_ratio.push_back(ways.interface_ratio);
       }
+  if (const auto strength = strength_of(scene.source)) {
+    result.source_strength = strength->value;
+    result.source_strength_units = strength->units;
+  }
   result.title = scene.title;
   result.scene_toml = scene::write_scene(reported_scene(model));
   result.estimator = scene::word_of(scene.simulation.estimator);
   result.estimator_reason = scene.simulation.estimator_reason.value_or("");
   result.seed = scene.simulation.seed;
-  result.strategies = reported_strategies(scene, medium);
-  std::ranges::move(reported_aimed_walks(scene, medium), std::back_inserter(result.strategies));
+  if (!scene.telescope.empty()) {
+    result.strategies = reported_strategies(scene, medium);
+    std::ranges::move(reported_aimed_walks(scene, medium), std::back_inserter(result.strategies));
+  }
   for (const auto& source : medium.sources) result.sources.push_back(medium::source_line(source));
   if (air)
     for (const auto& source : air->sources) result.sources.push_back(medium::source_line(source));

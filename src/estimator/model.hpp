@@ -8,6 +8,7 @@
 #include "core/twin_table.hpp"
 #include "estimator/apparent.hpp"
 #include "estimator/averaged_phases.hpp"
+#include "estimator/tallies/levels.hpp"
 #include "geometry/free_paths.hpp"
 #include "geometry/region.hpp"
 #include "medium/air.hpp"
@@ -76,6 +77,15 @@ struct Model {
   std::vector<medium::OtherAir> other_airs;  ///< of scenes with air and environments
   geometry::ApparentPath apparent_path;
   GivenInstruments as_given;  ///< as in the scene file
+  /// Of the level of a radiance, optical, from the surface, [level].
+  std::vector<double> level_depth;
+
+  /// Returns whether there is no sea: the medium is the air, from its top down.
+  [[nodiscard]] bool is_air_alone() const { return scene.is_of_air_alone(); }
+  /// The distance of a level from the surface of the medium that it is in [m].
+  [[nodiscard]] double from_surface(const TallyLevel& level) const {
+    return is_air_alone() ? medium.top.back() - level.distance : level.distance;
+  }
 };
 
 /// The check of a scene's optics, for scene::read_scene: whatever make_model would refuse. The

@@ -28,6 +28,7 @@ inline bool any_in_water(const scene::Scene& scene) {
                              [](const auto& t) { return geometry::stands_in_water(t.position_m); });
 }
 inline double way_ahead(const scene::Source& source) {
+  if (source.fills_cone()) return 0;
   return geometry::way_ahead(source.position_m, normalised(source.direction));
 }
 /// The point of the surface above or below the one where a laser's light starts, in a medium of
@@ -36,8 +37,9 @@ inline Vec3<double> origin_of(const scene::Source& source, medium::MediumKind ki
   const double side = kind == medium::MediumKind::air ? -1 : 1;
   const auto in_medium = [&](const Vec3<double>& v) { return Vec3<double>{v.x, v.y, side * v.z}; };
   const auto axis = in_medium(normalised(source.direction));
-  const auto start =
-      source.position_m + geometry::way_ahead(in_medium(source.position_m), axis) * axis;
+  const double ahead =
+      source.fills_cone() ? 0 : geometry::way_ahead(in_medium(source.position_m), axis);
+  const auto start = source.position_m + ahead * axis;
   return {start.x, start.y, 0};
 }
 /// An instrument of a scene, its place relative to the origin.

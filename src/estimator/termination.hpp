@@ -14,7 +14,7 @@ namespace photic::estimator {
 /// Returns whether light from here can still be in a telescope within the last gate.
 template <class T>
 Mask<T> in_time(const Instruments<T>& instruments, const transport::Photon<T>& photon) {
-  Mask<T> in_time(false);
+  Mask<T> in_time(instruments.all_times);
   for (const Deadline<T>& deadline : instruments.deadlines)
     in_time = in_time | deadline.is_met(photon, instruments.min_group_index);
   return in_time;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "core/random.hpp"
 #include "core/sobol.hpp"
@@ -9,6 +10,7 @@
 #include "estimator/forward_settings.hpp"
 #include "estimator/instruments.hpp"
 #include "estimator/plan.hpp"
+#include "estimator/tallies/tallies.hpp"
 #include "estimator/walk_settings.hpp"
 #include "medium/medium.hpp"
 
@@ -48,19 +50,20 @@ struct World {
   WalkSettings<T> walks;
   EchoPart<T> part;
   RandomNumbers random;
-  bool has_environments = false;      ///< there are environments
-  bool all_events = false;            ///< see AllEvents
-  Companion<T>* companion = nullptr;  ///< of all light; none: nullptr
+  bool has_environments = false;           ///< there are environments
+  bool all_events = false;                 ///< see AllEvents
+  Companion<T>* companion = nullptr;       ///< of all light; none: nullptr
+  std::shared_ptr<const Tallies> tallies;  ///< beside echoes; none: nullptr
 };
 
 /// The events that a photon of the forward estimator may meet, known before the loops: most worlds
-/// have neither the paper's tools nor variations (environments and derivatives), and loops without
-/// them are faster.
+/// have neither the paper's tools, nor variations (environments and derivatives), nor tallies
+/// beside echoes, and loops without them are faster.
 struct PlainEvents {
-  static constexpr bool tools = false, variations = false;
+  static constexpr bool tools = false, variations = false, tallies = false;
 };
 struct AllEvents {
-  static constexpr bool tools = true, variations = true;
+  static constexpr bool tools = true, variations = true, tallies = true;
 };
 
 /// Has a companion travel with all light of a world. It is shown every crossing: no flight goes

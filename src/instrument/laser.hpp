@@ -1,5 +1,7 @@
 // A laser as a disc whose light leaves in a cone: the cone's vertex is a fictitious point behind
 // the disc, directions are uniform in solid angle inside the cone (paper, section "The model").
+// Other sources are as lasers: a beam has no divergence, a point no disc besides, and all light of
+// a cone leaves from its vertex.
 #pragma once
 
 #include <cmath>
@@ -23,6 +25,7 @@ struct Laser {
                                  ///< start [m]
   T one_minus_cos_divergence{};  ///< 1 - cos(half divergence)
   bool collimated = false;       ///< no divergence: parallel rays from the whole disc
+  bool from_vertex = false;      ///< no disc: all rays from one place, into any cone
   bool inside = false;           ///< it stands in the medium
 };
 
@@ -50,7 +53,7 @@ T longer_from_disc(const Laser<T>& laser, const Vec3<T>& place, const T& distanc
 
 template <class T>
 Laser<T> make_laser(const scene::Source& s, const geometry::Ahead& way) {
-  const double half_divergence = s.half_divergence_mrad * 1e-3;
+  const double half_divergence = s.half_divergence();
   Laser<T> laser;
   const Vec3<double> axis = normalised(s.direction);
   const auto [ahead, to_sea] = way;
@@ -60,7 +63,9 @@ Laser<T> make_laser(const scene::Source& s, const geometry::Ahead& way) {
   laser.axis = vec3_cast<T>(axis);
   laser.radius = T(s.diameter_m / 2);
   laser.collimated = half_divergence == 0;
-  const double to_disc = laser.collimated ? 0.0 : s.diameter_m / 2 / std::tan(half_divergence);
+  laser.from_vertex = s.fills_cone();
+  const bool has_disc = !laser.collimated && !laser.from_vertex;
+  const double to_disc = has_disc ? s.diameter_m / 2 / std::tan(half_divergence) : 0.0;
   laser.vertex_distance = T(to_disc);
   laser.vertex_detour = T(length(s.position_m - to_disc * axis) - (to_disc + ahead + to_sea));
   const double half_sine = std::sin(half_divergence / 2);

@@ -126,6 +126,25 @@ std::vector<SharedPhases> shared_phases(const scene::Atmosphere& air,
   return out;
 }
 
+/// "0 to 1.5 km", or the layer's own name.
+std::string name_of_layer(const scene::Atmosphere& air, std::size_t k,
+                          const optics::AirLayer& layer) {
+  if (!air.layer.empty()) return air.layer[k].name;
+  return fmt::format("{:.4g} to {:.4g} km", layer.bottom_km, layer.top_km);
+}
+
+Absorbers absorbers_of(const scene::Atmosphere& air, const optics::AirOptics& at_source) {
+  const char* aerosols = air.layer.empty() ? "aerosols" : "";  // they stand for all there is
+  Absorbers out;
+  for (std::size_t k = 0; k < at_source.layers.size(); ++k) {
+    const optics::AirLayer& layer = at_source.layers[k];
+    out.add(name_of_layer(air, k, layer), {{"ozone", layer.ozone_a_per_m},
+                                           {"gases", layer.gases_a_per_m},
+                                           {aerosols, layer.aerosols_a_per_m}});
+  }
+  return out;
+}
+
 void add_coefficients(const optics::AirOptics& of, Air& air) {
   for (const optics::AirLayer& layer : of.layers) {
     air.a.push_back(layer.a_per_m());
@@ -189,6 +208,7 @@ Air AirBuilder::operator()(const scene::Scene& scene) const {
       else
         add_sources(here, nm, air.sources);
     }
+    if (of.first == 0) air.absorbers = absorbers_of(*scene.atmosphere, there);
     if (of.first == 0 && !outright) {
       air.depths = depths_by_part(there);
       air.depths->aerosols_550 = optics::aerosol_depth(in_layers(*scene.atmosphere));

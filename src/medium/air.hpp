@@ -39,6 +39,7 @@ struct Air {
   std::vector<AirPhases> phases;                      ///< the laser's first
   std::vector<std::size_t> phases_of;                 ///< place in `phases`, [line]
   std::vector<Source> sources;
+  Absorbers absorbers;              ///< of the source's light
   std::optional<AirDepths> depths;  ///< none in layers given outright
 
   [[nodiscard]] std::size_t layers() const { return height_m.size() - 1; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "medium/bed.hpp"
 #include "medium/environments.hpp"
@@ -59,6 +60,10 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   for (const auto& layer : scene.sea.layer) {
     medium.top.push_back(layer.bottom_depth_m.value_or(std::numeric_limits<double>::infinity()));
     at_laser.push_back(optics_of(layer, laser_nm));
+    std::vector<std::pair<std::string, double>> a_per_m;
+    for (const Contribution& each : at_laser.back().contributions)
+      a_per_m.emplace_back(each.name, each.a_per_m.value_or(0));
+    medium.absorbers.add(layer.name, a_per_m);
   }
   medium.line.push_back(make_line(scene.sea, Process::elastic, laser_nm));
   medium.line.front().counted_by = counted_by(scene, filters_of(scene), Process::elastic, laser_nm);

@@ -220,6 +220,7 @@ WavesView Medium::waves_view() const {
   const optics::SlopeLaw& s = waves.slopes;
   WavesView v;
   v.one_dimensional = s.is_one_dimensional();
+  v.conserving = waves.conserving;
   v.upwind_x = waves.upwind_x;
   v.upwind_y = waves.upwind_y;
   v.upwind_deviation = std::sqrt(s.upwind_variance);

@@ -14,6 +14,7 @@
 
 #include "core/lanes.hpp"
 #include "core/twin_table.hpp"
+#include "medium/absorbers.hpp"
 #include "medium/air_delay.hpp"
 #include "medium/layering.hpp"
 #include "medium/sources.hpp"
@@ -281,6 +282,7 @@ struct EnvironmentTables {
 struct Waves {
   optics::SlopeLaw slopes;            ///< flat: nothing else counts
   double upwind_x = 1, upwind_y = 0;  ///< towards where the wind comes from, a unit vector
+  bool conserving = false;            ///< as in WavesView
   double whitecap_fraction = 0;
   std::vector<double> whitecap_reflectance;  ///< from above, [line]; empty if there are none
 };
@@ -324,6 +326,7 @@ class Medium {
   double scattering_to_instruments = 0, depth_to_instruments = 0;
   EnvironmentTables environments;
   std::vector<Source> sources;  ///< of all that it is made of
+  Absorbers absorbers;          ///< of the source's light
 
   /// Adds a phase function, or finds the equal one that is there already; returns its number.
   std::int32_t add_phase(const optics::PhaseTable& table);

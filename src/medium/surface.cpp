@@ -50,6 +50,7 @@ void add_surface(const scene::Scene& scene, const optics::Library& library, Medi
   if (!surface.is_rough()) return;
   Waves& waves = medium.waves;
   waves.slopes = slopes_of(surface);
+  waves.conserving = scene.facet_weight() == scene::FacetWeight::conserving;
   const double azimuth = surface.wind_direction_deg * radian_per_degree;
   waves.upwind_x = std::cos(azimuth);
   waves.upwind_y = std::sin(azimuth);

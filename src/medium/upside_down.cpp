@@ -34,6 +34,7 @@ Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Me
   }
   medium.top = air.height_m;
   medium.air_m = air.height_m.back();
+  medium.absorbers = air.absorbers;
   const bool vacuum = end_m > air.height_m.back();
   if (vacuum) medium.top.push_back(end_m);
   const std::size_t layers = air.layers();

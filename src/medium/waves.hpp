@@ -10,6 +10,7 @@ namespace photic::medium {
 /// surface that scatters light.
 struct WavesView {
   bool one_dimensional = false;       ///< all facets are level across the wind
+  bool conserving = false;            ///< the weight at facets is over its mean
   double upwind_x = 1, upwind_y = 0;  ///< towards where the wind comes from, a unit vector
   double upwind_deviation = 0, crosswind_deviation = 0;  ///< of slopes
   optics::GramCharlier series;

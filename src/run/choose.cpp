@@ -158,6 +158,11 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
   if (scene.simulation.estimator != scene::Estimator::automatic) return scene;
   scene::Scene chosen = scene;
   scene::Simulation& simulation = chosen.simulation;
+  if (!scene.tally.empty()) {
+    simulation.estimator = scene::Estimator::forward;
+    simulation.estimator_reason = "the only one with tallies beside echoes";
+    return chosen;
+  }
   if (scene.simulation.tools.any()) {
     simulation.estimator = scene::Estimator::forward;
     simulation.estimator_reason = "the only one with the requested tools in this version";

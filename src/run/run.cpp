@@ -59,6 +59,10 @@ void warn(tally::Result& result, const scene::Simulation& simulation) {
         "max_order cuts off more than 0.1 % of the echo in {} gates: raise it or leave it out",
         cut));
   }
+  if (!result.tallies.empty() && result.ledger.cut_by_order > tolerated_cut)
+    result.warnings.push_back(
+        fmt::format("max_order ends {:.2g} of the light, which the tallies leave out from there on",
+                    result.ledger.cut_by_order));
   if (result.ledger.cut_by_weight > 0) {
     result.warnings.push_back(
         fmt::format("at_threshold = \"end\" ended photons that carried {:.2g} of the launched "

@@ -47,6 +47,7 @@ BatchTally::BatchTally(const Shape& shape, const Gates& gates)
                          EnvironmentScores::size),
       environment(shape.cells() * environment_groups),
       touched_cells(shape.rows()),
+      tallies(cells_of(shape.tallies)),
       shape_(&shape),
       gates_(&gates),
       cells_of_telescope_(shape.channels * shape.gates),
@@ -152,6 +153,7 @@ void BatchTally::clear() {
     row.clear();
   }
   for (auto& row : touched_cells) row.clear();
+  tallies.clear();
   ledger = {};
   operations = {};
   photons = collisions = scores = too_many_events = not_finite = 0;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -17,17 +16,9 @@
 #include "tally/operations.hpp"
 #include "tally/shape.hpp"
 #include "tally/state.hpp"
+#include "tally/tally_scores.hpp"
 
 namespace photic::tally {
-
-/// The octave of a score's size, not below 0: 0 … score_octaves - 1.
-inline int score_octave(double value) {
-  constexpr std::uint64_t first = 1023 - score_octaves;
-  const std::uint64_t exponent = std::bit_cast<std::uint64_t>(value) >> 52;
-  if (exponent - first < score_octaves) [[likely]]
-    return static_cast<int>(exponent - first);
-  return exponent < first ? 0 : score_octaves - 1;
-}
 
 /// The numbers of scores in a cell.
 struct CellScores {
@@ -43,9 +34,6 @@ struct CellScores {
   void add(const CellScores& others);
   friend bool operator==(const CellScores&, const CellScores&) = default;
 };
-
-/// So many of them in each octave.
-using OctavesOfBatch = std::array<std::uint32_t, score_octaves>;
 
 /// One contribution of a collision to a telescope, of one light.
 struct Score {
@@ -177,6 +165,8 @@ class BatchTally {
   std::size_t environment_groups;
   ZeroedVector<EnvironmentScores> environment;            ///< [cell][group of environments]
   std::vector<std::vector<std::uint32_t>> touched_cells;  ///< [row]
+
+  TallyScores tallies;  ///< beside echoes
 
   Ledger ledger;  ///< sums of weights
   Operations operations;

@@ -115,6 +115,13 @@ Unseen unseen_beyond(const Octaves& octaves, double largest, double together) {
   return {sum, sum * (1 - std::pow(share_of_runs, more))};
 }
 
+/// The scores that count as one, such as those of a walk: the variance by batches over that of
+/// independent scores, Kish's design effect (Survey Sampling (1965)); at least 1.
+double together(const Sums& sums, const Counted& n, const Octaves& octaves) {
+  const double of_batches = error_of_sum(sums, n);
+  return std::max(1.0, of_batches * of_batches / sum_of_powers(octaves, 2));
+}
+
 /// Sum of the scores' fourth powers: the largest one's, and the others'.
 double fourth_powers(Octaves octaves, double largest) {
   --octaves[static_cast<std::size_t>(score_octave(largest))];
@@ -143,8 +150,7 @@ Octaves Totals::octaves(std::size_t cell) const {
 }
 
 double Totals::scores_together(std::size_t cell) const {
-  const double of_batches = error_of_sum(state_.echo[cell].low, counted(cell));
-  return std::max(1.0, of_batches * of_batches / sum_of_powers(octaves(cell), 2));
+  return together(state_.echo[cell].low, counted(cell), octaves(cell));
 }
 
 Unseen Totals::unseen(std::size_t cell) const {
@@ -197,6 +203,28 @@ Totals::Health Totals::health(std::size_t cell) const {
   return health;
 }
 
+Unseen Totals::unseen_in_tally(std::size_t cell, bool is_balance) const {
+  const TallySums& s = state_.tallies[cell];
+  if (is_balance || s.scored.low.x == 0) return {};
+  const Octaves& octaves = state_.tally_octaves[cell];
+  return unseen_beyond(octaves, s.largest, together(s.scored.low, counted(), octaves));
+}
+
+Totals::Health Totals::tally_health(std::size_t cell, bool is_balance) const {
+  return health_of(state_.tallies[cell].scored.low, counted(), unseen_in_tally(cell, is_balance));
+}
+
+bool Totals::tallies_converged(double relative_error) const {
+  std::size_t cell = 0;
+  for (const TallyGrid& grid : shape_->tallies)
+    for (std::size_t k = 0; k < grid.size(); ++k, ++cell) {
+      const Health h = tally_health(cell, grid.is_balance);
+      if ((h.flags & no_score) == 0 && (h.flags != 0 || h.relative_error > relative_error))
+        return false;
+    }
+  return true;
+}
+
 std::int32_t Totals::difference_flags(std::size_t cell, const EnvironmentSums& s) const {
   const Sums& difference = s.difference.low;
   Health own;
@@ -237,27 +265,27 @@ bool Totals::row_converged(std::size_t row, double relative_error) const {
 bool Totals::all_converged(double relative_error) const {
   for (std::size_t row = 0; row < shape_->rows(); ++row)
     if (!row_converged(row, relative_error)) return false;
-  return true;
+  return tallies_converged(relative_error);
 }
 
 std::size_t Totals::converged_cells() const {
   std::size_t count = 0;
-  for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) count += health(cell).flags == 0;
+  each_health([&](const Health& health) { count += health.flags == 0; });
   return count;
 }
 
 std::size_t Totals::scored_cells() const {
-  std::size_t count = 0;
-  for (const TailSums& s : state_.echo) count += s.low.x > 0;
-  return count;
+  const auto scored = [](const TailSums& s) { return s.low.x > 0; };
+  return static_cast<std::size_t>(
+      std::ranges::count_if(state_.echo, scored) +
+      std::ranges::count_if(state_.tallies, scored, &TallySums::scored));
 }
 
 double Totals::worst_error() const {
   double worst = 0;
-  for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
-    const double error = health(cell).relative_error;
-    if (!(error <= worst)) worst = error;
-  }
+  each_health([&](const Health& health) {
+    if (!(health.relative_error <= worst)) worst = health.relative_error;
+  });
   return worst;
 }
 

@@ -120,7 +120,23 @@ void Totals::fill_profile(const ZeroedVector<Sums>& parts, const std::vector<Who
     estimate(parts[k], k / count, wholes[k / count].unseen_share * parts[k].x, out);
 }
 
+void Totals::fill_tallies(Result& result) const {
+  std::size_t cell = 0;
+  for (const TallyGrid& grid : shape_->tallies) {
+    TallyEstimates& out = result.tallies.emplace_back(TallyEstimates{{}, grid, {}});
+    for (std::size_t k = 0; k < grid.size(); ++k, ++cell) {
+      const Sums& sums = state_.tallies[cell].scored.low;
+      const double per_score = (grid.factor.empty() ? 1 : grid.factor[k]) / tally_score_unit;
+      out.mean.push_back(per_score * mean(sums, counted()));
+      out.standard_error.push_back(
+          per_score * reported_error(sums, counted(), unseen_in_tally(cell, grid.is_balance)));
+      out.flags.push_back(tally_health(cell, grid.is_balance).flags);
+    }
+  }
+}
+
 void Totals::fill(Result& result) const {
+  fill_tallies(result);
   std::vector<Whole> wholes;
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
     const double x = state_.echo[cell].low.x;

@@ -104,6 +104,7 @@ Gates::Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines,
       telescope_(scene.telescope),
       laser_(lines.front()),
       too_long_(std::move(apparent_path)) {
+  if (!scene.gates.are_given()) return;
   const auto& interval = scene.gates.interval();
   const bool by_depth = scene.gates.depth_m.has_value();
   const bool by_range = scene.gates.range_m.has_value();
@@ -219,7 +220,7 @@ double Gates::edge_time_ns(std::int32_t edge) const {
 }
 
 std::vector<double> Gates::depth_edges(std::int64_t cells) const {
-  if (cells == 0) return {};
+  if (cells == 0 || count_ == 0) return {};
   double low = std::numeric_limits<double>::max();
   double high = 0;
   for (std::size_t t = 0; t < telescope_.size(); ++t) {

@@ -43,7 +43,7 @@ auto cell_below(const Double& place, std::int32_t count) {
 
 class Gates {
  public:
-  /// The gates of a scene whose light travels in the lines of a medium.
+  /// The gates of a scene whose light travels in the lines of a medium; none without telescopes.
   Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines,
         geometry::ApparentPath apparent_path = {});
 

@@ -8,10 +8,10 @@ namespace photic::tally {
 
 const std::vector<FlagMeaning>& flag_meanings() {
   static const std::vector<FlagMeaning> meanings{
-      {no_score, "no_score", "no light was ever scored in the gate"},
+      {no_score, "no_score", "no light was ever scored there"},
       {few_batches, "few_batches", "fewer than 30 batches: the error itself is not known"},
       {large_error, "large_error",
-       "the standard error, with all that may be unseen, is above 10 % of the echo"},
+       "the standard error, with all that may be unseen, is above 10 % of the value"},
       {uncertain_variance, "uncertain_variance", "one batch carries much of the variance"},
       {heavy_tail, "heavy_tail",
        "scores too rare to have been seen may add up to more than the error"},

@@ -11,6 +11,7 @@
 #include "core/zeroed.hpp"
 #include "tally/grid.hpp"
 #include "tally/state.hpp"
+#include "tally/tally_grid.hpp"
 
 namespace photic::tally {
 
@@ -24,6 +25,12 @@ struct Estimates {
 /// none for a profile, whose estimates are [telescope][channel][gate][cell of the grid].
 struct GridEstimates : Estimates {
   Grid grid;
+  std::vector<std::int32_t> flags;
+};
+
+/// Estimates of a tally beside echoes, [cell of its grid], and their flags.
+struct TallyEstimates : Estimates {
+  TallyGrid grid;
   std::vector<std::int32_t> flags;
 };
 
@@ -69,6 +76,10 @@ struct Result {
   std::vector<double>
       order_cut_share;  ///< [telescope][channel][gate]: first order cut off, over the echo
 
+  std::vector<TallyEstimates> tallies;    ///< of Shape::tallies
+  std::optional<double> source_strength;  ///< as the scene gives it
+  std::string source_strength_units;      ///< "W", "W m-2", "J", "1" (photons)
+
   // The same of the environments, if there are any.
   std::vector<std::string> environment_name;
   std::vector<std::string> environment_changes;  ///< besides those in its name: "path = value, …"
@@ -112,7 +123,11 @@ struct Result {
 
   [[nodiscard]] std::size_t telescopes() const { return telescope_name.size(); }
   [[nodiscard]] std::size_t channels() const { return channel_name.size(); }
-  [[nodiscard]] std::size_t gates() const { return gate_time_edge_ns.size() - 1; }
+  [[nodiscard]] std::size_t gates() const {
+    return gate_time_edge_ns.empty() ? 0 : gate_time_edge_ns.size() - 1;
+  }
+  /// False of a scene that has tallies beside echoes alone.
+  [[nodiscard]] bool has_echoes() const { return telescopes() * channels() * gates() > 0; }
   /// Throws std::out_of_range for one that there is not.
   [[nodiscard]] const GridEstimates& grid(std::string_view name) const;
   [[nodiscard]] GridEstimates& grid(std::string_view name);

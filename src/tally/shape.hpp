@@ -10,6 +10,7 @@
 
 #include "tally/decay.hpp"
 #include "tally/grid.hpp"
+#include "tally/tally_grid.hpp"
 
 namespace photic::tally {
 
@@ -27,6 +28,7 @@ struct Shape {
   /// Kinds that scores are counted apart for: kinds_of_technique, or 1 of an estimator without
   /// walks.
   std::size_t techniques = 1;
+  std::vector<TallyGrid> tallies;                       ///< beside echoes
   std::vector<std::vector<Counting>> channels_of_line;  ///< that count a line's light
   /// Index in the axis of processes, of each light: a line that has touched something
   /// (transport::Touched), [touched][line].

@@ -31,7 +31,9 @@ TotalsState::TotalsState(const Shape& shape)
       cut_order(shape.cells()),
       largest(shape.cells()),
       octaves(shape.cells() * shape.techniques),
-      environment(shape.cells() * shape.environments) {
+      environment(shape.cells() * shape.environments),
+      tallies(cells_of(shape.tallies)),
+      tally_octaves(cells_of(shape.tallies)) {
   for (const Grid& grid : shape.grids) grids.emplace_back(shape.cells() * grid.size());
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -130,6 +131,23 @@ inline std::size_t kind_of(Technique technique) {
 /// Scores are also counted by octave of their size: what shows a heavy tail.
 inline constexpr int score_octaves = 128;  ///< 2^-128 … 1
 using Octaves = std::array<std::uint64_t, score_octaves>;
+using OctavesOfBatch = std::array<std::uint32_t, score_octaves>;
+
+/// The octave of a score's size, not below 0: 0 … score_octaves - 1.
+inline int score_octave(double value) {
+  constexpr std::uint64_t first = 1023 - score_octaves;
+  const std::uint64_t exponent = std::bit_cast<std::uint64_t>(value) >> 52;
+  if (exponent - first < score_octaves) [[likely]]
+    return static_cast<int>(exponent - first);
+  return exponent < first ? 0 : score_octaves - 1;
+}
+
+/// The sums of a cell of a tally beside echoes, in units of tally_score_unit.
+struct TallySums {
+  TailSums scored;
+  double largest = 0;  ///< single score
+  friend bool operator==(const TallySums&, const TallySums&) = default;
+};
 
 /// The whole state of Totals. Two of the same scene that are equal go on alike to the last bit.
 struct TotalsState {
@@ -150,6 +168,8 @@ struct TotalsState {
   std::vector<double> largest;                ///< [cell] largest single score
   ZeroedVector<Octaves> octaves;              ///< [cell][kind]
   ZeroedVector<EnvironmentSums> environment;  ///< [cell][environment]
+  std::vector<TallySums> tallies;             ///< [cell of all grids of tallies]
+  ZeroedVector<Octaves> tally_octaves;        ///< the same
   // The echo when there were 2^k batches, one snapshot after the other.
   std::vector<double> snapshot_photons, snapshot_batches;  ///< [snapshot][row]
   std::vector<Sums> snapshot_echo;                         ///< [snapshot][cell]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/error.hpp"
@@ -24,6 +25,8 @@ bool fits(const TotalsState& state, const Shape& shape) {
          state.cut_order.size() == cells && state.largest.size() == cells &&
          state.octaves.size() == cells * shape.techniques &&
          state.environment.size() == cells * shape.environments &&
+         state.tallies.size() == cells_of(shape.tallies) &&
+         state.tally_octaves.size() == cells_of(shape.tallies) &&
          state.snapshot_photons.size() == snapshots * shape.rows() &&
          state.snapshot_batches.size() == snapshots * shape.rows() &&
          state.snapshot_echo.size() == snapshots * cells;
@@ -75,10 +78,30 @@ void Totals::merge_row(const BatchTally& batch, std::size_t row) {
   ++state_.row[row].batches;
 }
 
+void Totals::merge_tallies(const BatchTally& batch) {
+  const auto n = static_cast<double>(batch.photons);
+  double balance = 0;
+  std::size_t cell = 0;
+  for (const TallyGrid& grid : shape_->tallies)
+    for (std::size_t k = 0; k < grid.size(); ++k, ++cell) {
+      const double score = grid.is_balance ? balance : batch.tallies.sums[cell];
+      if (score == 0) continue;
+      if (grid.in_balance) balance += score;
+      TallySums& sums = state_.tallies[cell];
+      sums.scored.add(score, n);
+      sums.largest = std::max(sums.largest, batch.tallies.largest[cell]);
+      if (!grid.is_balance)
+        std::ranges::transform(state_.tally_octaves[cell], batch.tallies.octaves[cell],
+                               state_.tally_octaves[cell].begin(), std::plus());
+    }
+}
+
 void Totals::merge(const BatchTally& batch) {
   const auto n = static_cast<double>(batch.photons);
   for (std::size_t row = 0; row < state_.row.size(); ++row)
     if (!batch.rests[row]) merge_row(batch, row);
+
+  merge_tallies(batch);
 
   state_.photons += batch.photons;
   ++state_.batches;

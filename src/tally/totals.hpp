@@ -33,6 +33,10 @@ class Totals {
   [[nodiscard]] std::vector<bool> resting(bool after_next_look) const;
 
   [[nodiscard]] Counted counted(std::size_t cell) const;
+  /// Of tallies beside echoes, which never rest.
+  [[nodiscard]] Counted counted() const {
+    return {static_cast<double>(state_.photons), static_cast<double>(state_.batches)};
+  }
 
   /// Bits of ConvergenceFlag of an echo cell, the variance of its variance, and its reported
   /// relative error; 0 if nothing was scored.
@@ -46,6 +50,8 @@ class Totals {
   /// Returns whether every cell that has been scored in is below the relative error and not
   /// flagged.
   [[nodiscard]] bool all_converged(double relative_error) const;
+  /// The health of a cell of the tallies beside echoes; a balance has no single scores.
+  [[nodiscard]] Health tally_health(std::size_t cell, bool is_balance) const;
   [[nodiscard]] std::size_t converged_cells() const;
   [[nodiscard]] std::size_t scored_cells() const;
   /// The largest relative error of the cells that have been scored in; NaN after a single batch.
@@ -63,11 +69,26 @@ class Totals {
   [[nodiscard]] TotalsState state() && { return std::move(state_); }
 
  private:
+  /// Calls f(health) for all cells, of echoes and of other tallies.
+  template <class F>
+  void each_health(F f) const {
+    for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) f(health(cell));
+    std::size_t cell = 0;
+    for (const TallyGrid& grid : shape_->tallies)
+      for (std::size_t k = 0; k < grid.size(); ++k) f(tally_health(cell++, grid.is_balance));
+  }
   /// Adds all that a batch scored in a row.
   void merge_row(const BatchTally& batch, std::size_t row);
   void merge_cell(const BatchTally& batch, std::size_t cell);
+  /// Adds the scores of the tallies beside echoes. The balance comes after what it is the sum of.
+  void merge_tallies(const BatchTally& batch);
   /// Merges the scores of a batch in the environments of a cell whose echo in the scene is given.
   void merge_environments(const BatchTally& batch, std::size_t cell, double echo);
+  /// The scores of a tally's cell that have not been seen.
+  [[nodiscard]] Unseen unseen_in_tally(std::size_t cell, bool is_balance) const;
+  /// As all_converged, of the tallies beside echoes.
+  [[nodiscard]] bool tallies_converged(double relative_error) const;
+  void fill_tallies(Result& result) const;
   /// As all_converged, of a row's cells.
   [[nodiscard]] bool row_converged(std::size_t row, double relative_error) const;
   /// Estimates sums in a cell with what has not been seen of them.
@@ -76,8 +97,7 @@ class Totals {
   [[nodiscard]] std::span<const Octaves> kinds(std::size_t cell) const;
   /// The octaves of the scores of all kinds, together.
   [[nodiscard]] Octaves octaves(std::size_t cell) const;
-  /// The scores that count as one, such as those of a walk: the variance by batches over that of
-  /// independent scores, Kish's design effect (Survey Sampling (1965)); at least 1.
+  /// The scores that count as one, such as those of a walk; at least 1.
   [[nodiscard]] double scores_together(std::size_t cell) const;
   /// The unseen scores of all kinds; infinite sums if there are too few scores.
   [[nodiscard]] Unseen unseen(std::size_t cell) const;

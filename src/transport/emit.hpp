@@ -1,4 +1,4 @@
-// The laser's light as it leaves the disc.
+// The light of a source as it leaves it.
 #pragma once
 
 #include <cmath>
@@ -27,6 +27,11 @@ Photon<T> emit(const instrument::Laser<T>& laser, const Index<T>& layer, const T
   }
   const T x = u_polar * laser.one_minus_cos_divergence;
   const T off_axis = sqrt(x * (T(2) - x));
+  if (laser.from_vertex) {
+    photon.direction = (T(1) - x) * laser.axis + off_axis * outward;
+    photon.position = laser.start;
+    return photon;
+  }
   const T secant = T(1) / (T(1) - x);
   const T to_start = laser.vertex_distance + laser.ahead;
   photon.direction = (T(1) - x) * laser.axis + off_axis * outward;

@@ -63,20 +63,23 @@ struct FacetMet {
   T seen{};  ///< its visibility
   T gain{};
 };
+/// `conserved`: the weight is over its mean, so that no light is gained (world.md A2, option b;
+/// Smith 1967, as surface::smith()).
 template <class T>
 FacetMet<T> facet_met(const surface::WavesView& waves, const Vec3<T>& direction, const T& u1,
-                      const T& u2) {
+                      const T& u2, bool conserved = false) {
   FacetMet<T> met;
   met.facet = surface::facet_of(waves, surface::sample_slope(waves, u1, u2));
   met.seen = surface::visibility(direction, met.facet);
   met.gain = select(met.seen > T(0), met.seen, T(0)) * surface::series(waves, met.facet.slope);
+  if (conserved) met.gain = met.gain / (T(1) + surface::smith(waves, direction));
   return met;
 }
 template <class T>
 WaysOn<T> ways_on(const surface::RoughSurface<T>& surface, const Vec3<T>& direction,
-                  const Mask<T>& outside, const WavesUniforms<T>& u) {
+                  const Mask<T>& outside, const WavesUniforms<T>& u, bool conserved) {
   const auto& waves = surface.waves;
-  const auto [facet, seen, gain] = facet_met(waves, direction, u.slope, u.azimuth);
+  const auto [facet, seen, gain] = facet_met(waves, direction, u.slope, u.azimuth, conserved);
   const T n1 = select(outside, T(1), surface.n), n2 = select(outside, surface.n, T(1));
   const auto at = surface::meet_facet(surface.face, n1, n2, direction, facet);
   WaysOn<T> out{select(outside, at.transmitted, at.reflected),
@@ -104,11 +107,12 @@ WaysOn<T> ways_on(const surface::RoughSurface<T>& surface, const Vec3<T>& direct
 /// Has photons meet a facet or a whitecap. Photons without weight meet no more. Photons that then
 /// neither go down in the water nor rise in the air are between facets: they are about to meet
 /// another one. Chance decides between the ways. Where `splits`, if one way leads away from the
-/// surface in the air the other one is taken, and the weight is shared out.
+/// surface in the air the other one is taken, and the weight is shared out. `conserved`: see
+/// facet_met(); light between two facets is always so.
 template <class T>
 AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& photon, AtWaves<T>& at,
-                         const WavesUniforms<T>& u, bool splits) {
-  const auto way = ways_on(surface, photon.direction, at.outside, u);
+                         const WavesUniforms<T>& u, bool splits, bool conserved = false) {
+  const auto way = ways_on(surface, photon.direction, at.outside, u, conserved);
   const auto& [down, up, share_down, unabsorbed, gain, facet, seen, meets_white] = way;
   const Mask<T> rises = up.z > T(0);
   const Mask<T> leaves = splits ? rises : Mask<T>(false);

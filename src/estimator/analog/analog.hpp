@@ -17,6 +17,7 @@
 #include "estimator/draws.hpp"
 #include "estimator/event.hpp"
 #include "estimator/random_blocks.hpp"
+#include "estimator/tally_events.hpp"
 #include "estimator/termination.hpp"
 #include "estimator/world.hpp"
 #include "instrument/lens.hpp"
@@ -101,7 +102,10 @@ struct AnalogSteps {
     const auto w = draws.together(n, 0, birth_blocks[0]);
     if (world.slabs.bands > 0) p.spectral_bin = medium::spectral_bin_of(w[3]);
     birth_at_laser(world, w[0], w[1], exist, p, ledger);
-    if (world.instruments.laser_region.outside) cross_surface(p, p.on, true, w[2], T(0));
+    if (!world.instruments.laser_region.outside) return p;
+    if (world.tallies && world.tallies->escapes_at_surface)
+      TallyEvents<T>(world, tally).leave_source(p.photon, exist);
+    cross_surface(p, p.on, true, w[2], T(0));
     return p;
   }
 
@@ -141,10 +145,15 @@ struct AnalogSteps {
     p.touched =
         transport::touched_at<T>(world.slabs, p.photon.layer, select(first, fresh, p.touched));
     const transport::Photon<T> before = p.photon;
+    if (world.tallies) TallyEvents<T>(world, tally).radiate(before, p.on);
     const Mask<T> stays =
         collide_by_chance(world.slabs, p.photon, p.spectral_bin, p.on, u[3], v[0], v[1]);
     if (world.companion) [[unlikely]]
       world.companion->collided(before, p.photon, p.on);
+    if (world.tallies) {
+      const Mask<T> converted = !(p.photon.line == before.line);
+      TallyEvents<T>(world, tally).absorbed(before, p.on & (converted | !stays));
+    }
     book_out(p, bed & !stays, ledger.sea_bed);
     book_out(p, !stays, ledger.absorbed);
   }
@@ -176,17 +185,35 @@ struct AnalogSteps {
     AnalogSteps& steps;
     AnalogPhotons<T>& p;
     T depth;  ///< of the collision that they come from; light of a film comes from none
+    bool from_outside;
+    transport::Photon<T> arriving;  ///< as they come to it
 
     void about_to_meet(const transport::AtWaves<T>& at, std::uint32_t facet) {
       const Index<T> of_surface(static_cast<std::int32_t>(transport::Touched::surface));
       const Mask<T> fresh = at.meets & (p.photon.order == Index<T>(0));
       if (facet == 0) p.touched = select(fresh, of_surface, p.touched);
     }
-    void came_from_film(const Mask<T>& by_film) { depth = select(by_film, T(0), depth); }
+    void came_from_film(const Mask<T>& by_film) {
+      depth = select(by_film, T(0), depth);
+      if (steps.world.tallies)
+        TallyEvents<T>(steps.world, steps.tally).absorbed_in_film(arriving, by_film);
+    }
+    void reflected(const Mask<T>& mask, const Vec3<T>& direction, const T& weight) const {
+      rise(mask, direction, weight);
+    }
     void passes(const Mask<T>& mask, const Vec3<T>& direction, const T&, const auto&) {
       transport::Photon<T> out = p.photon;
       out.direction = direction;
+      rise(mask, direction, out.weight);
       steps.leave(p, out, mask, depth);
+    }
+    /// Light that leaves in clear air.
+    void rise(const Mask<T>& mask, const Vec3<T>& direction, const T& weight) const {
+      if (!steps.world.tallies || !steps.world.tallies->escapes_at_surface) return;
+      const TallyEvents<T> events(steps.world, steps.tally);
+      const Mask<T> light = of_source(p.photon, mask);
+      events.escape(light, direction.z, weight, Mask<T>(!from_outside));
+      events.rise_in_clear_air(light, p.photon, direction, weight);
     }
   };
   /// Photons of a mask that stand at the surface cross it, where they may meet a detector, or go
@@ -195,8 +222,21 @@ struct AnalogSteps {
                      const T& depth) {
     const Mask<T> standing = stand;  // it may be p.on, which changes
     ByChance<T, Ledger> rule{{world, p.place, ledger}, p.spectral_bin, number};
-    AtDetectors observer{{}, *this, p, depth};
+    AtDetectors observer{{}, *this, p, depth, from_outside, p.photon};
+    const double in_film = world.tallies ? total(ledger).oil : 0;
     estimator::cross_surface(world, p, standing, from_outside, rule, observer);
+    if (world.tallies && world.tallies->boundaries)
+      world.tallies->boundaries->absorb_in_film(total(ledger).oil - in_film, tally.tallies);
+  }
+  /// Shows the tallies beside echoes a flight, and its end at a black end of the medium.
+  void tally_flight(const transport::Photon<T>& before, const transport::Photon<T>& after,
+                    const Index<T>& touched, const Mask<T>& flying,
+                    const transport::FlightEnd<T>& end) {
+    const TallyEvents<T> events(world, tally);
+    events.flown(before, after, end.length, flying, end.sea_bed);
+    if (!world.tallies->escapes_at_end) return;
+    events.escape(of_source(after, flying & end.sea_bed), T(0) - after.direction.z, after.weight,
+                  events.were_in_water(touched));
   }
   /// Photons of a mask that have been at the surface fly down from there. `depth`: of the collision
   /// that they come from.
@@ -215,6 +255,7 @@ struct AnalogSteps {
     const auto end = transport::fly(world.slabs, photon, minus_log(number));
     if (world.companion) [[unlikely]]
       world.companion->flown(photon, end.length, flying);
+    if (world.tallies) tally_flight(before, photon, touched, flying, end);
     detect(world, before, touched, flying, end.length, false, depth, tally);
     return end;
   }

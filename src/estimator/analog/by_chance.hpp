@@ -17,7 +17,8 @@ struct ByChance : FacetsOfHistories<T, Ledger, false> {
   AfterOilyFacet<T> meet(const surface::RoughSurface<T>& surface, transport::Photon<T>& photon,
                          transport::AtWaves<T>& at, std::uint32_t facet) const {
     if (surface.face.oily)
-      return facet_by_chance(this->world.slabs, this->place, spectral_bin, facet, photon, at);
+      return facet_by_chance(this->world.slabs, this->place, spectral_bin, facet, photon, at,
+                             this->is_conserved(facet));
     return {FacetsOfHistories<T, Ledger, false>::meet(surface, photon, at, facet), Mask<T>(false)};
   }
   template <class Observer>
@@ -35,8 +36,12 @@ struct ByChance : FacetsOfHistories<T, Ledger, false> {
     auto& ledger = this->ledger;
     transport::Photon<T>& photon = t.photon;
     if (from_outside) {  // the loss of weight becomes a chance
-      cross_by_shares(this->world.slabs, t, stand, true, Mask<T>(false), ledger, observer);
+      const Vec3<T>& falls = photon.direction;
+      const Vec3<T> rises{falls.x, falls.y, T(0) - falls.z};
+      NoObserver none;
+      cross_by_shares(this->world.slabs, t, stand, true, Mask<T>(false), ledger, none);
       const Mask<T> passes = number < photon.weight;
+      observer.reflected(stand & !passes, rises, T(1));
       book(ledger.roulette, stand, photon.weight - select(passes, T(1), T(0)));
       photon.weight = T(1);
       t.on = t.on & passes;

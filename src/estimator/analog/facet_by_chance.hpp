@@ -40,9 +40,10 @@ struct AfterOilyFacet : transport::AfterFacet<T> {
 template <class T>
 AfterOilyFacet<T> facet_by_chance(const medium::MediumView& sea, const RandomPlace<T>& place,
                                   const Index<T>& spectral_bin, std::uint32_t facet,
-                                  transport::Photon<T>& photon, transport::AtWaves<T>& at) {
+                                  transport::Photon<T>& photon, transport::AtWaves<T>& at,
+                                  bool conserved) {
   const auto u = uniforms(place, facet_blocks[facet]);
-  const auto by = transport::facet_met(sea.waves, photon.direction, u[0], u[1]);
+  const auto by = transport::facet_met(sea.waves, photon.direction, u[0], u[1], conserved);
   AfterOilyFacet<T> met;
   met.gained = photon.weight * (by.gain - T(1));
   photon.weight = select(at.meets, photon.weight * by.gain, photon.weight);

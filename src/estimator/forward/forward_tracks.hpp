@@ -19,9 +19,6 @@
 
 namespace photic::estimator {
 
-/// Directed sampling aims at no more ways than this; telescopes beyond have to do with the light of
-/// the others.
-inline constexpr int target_capacity = 16;
 template <class T>
 using Targets = transport::Targets<T, target_capacity>;
 

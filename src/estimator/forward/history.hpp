@@ -28,6 +28,8 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
   if (world.slabs.bands > 0) t.spectral_bin = medium::spectral_bin_of(u[3]);
   birth_at_laser(world, u[0], u[1], exist, t, ledger);
   if (!world.instruments.laser_region.outside) return;
+  if constexpr (Events::tallies)
+    if (world.tallies) tally_birth<Ledger>(world, t, exist, tally);
   companions_of<Events>(world, t).came_down(world.instruments.laser_region, t.photon, t.on);
   const Mask<T> stand = t.on;
   cross_surface<Events>(world, t, stand, true, estimates, tally, ledger, leave);

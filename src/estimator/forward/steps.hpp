@@ -11,6 +11,7 @@
 #include "estimator/forward/estimate.hpp"
 #include "estimator/forward/expected_collision.hpp"
 #include "estimator/forward/film.hpp"
+#include "estimator/forward/tally_escape.hpp"
 #include "estimator/forward/targets.hpp"
 #include "estimator/forward/tools.hpp"
 #include "estimator/termination.hpp"
@@ -41,6 +42,8 @@ struct ForwardSteps {
 
   /// Scores a flight before it begins.
   void look_ahead(ForwardTracks<T>& t) {
+    if constexpr (Events::tallies)
+      if (world.tallies) tally_escape_ahead<Ledger>(world, t, t.on, tally);
     if (!world.forward.cones.empty())
       score_on_the_way<Events>(world, t, who_are_scored(world, t, t.on), estimates, tally);
     if constexpr (Events::tools) begin_with_tools<Events>(world, t, t.on, ledger, leave);
@@ -55,7 +58,12 @@ struct ForwardSteps {
     transport::Photon<T>& photon = t.photon;
     const auto companions = companions_of<Events>(world, t);
     companions.before(photon);
+    transport::Photon<T> before;
+    if constexpr (Events::tallies) before = photon;
     auto end = transport::fly(world.slabs, photon, t.free_path);
+    if constexpr (Events::tallies)
+      if (world.tallies)
+        TallyEvents<T>(world, tally).flown(before, photon, end.length, t.on, end.sea_bed);
     if (flies_on()) {
       transport::fly_on(world.slabs, photon, end, [&](const Mask<T>& reflected, auto& down) {
         t.on = (t.on & !reflected) | reflect_in_flight(t, t.on & reflected, down);
@@ -95,6 +103,8 @@ struct ForwardSteps {
     const Index<T> here = world.slabs.at(photon.line, photon.layer);
     book(ledger.absorbed, colliding, photon.weight * gather<T>(world.slabs.absorption, here));
     if (world.slabs.bed_angles > 0) book_bed(photon, colliding);
+    if constexpr (Events::tallies)
+      if (world.tallies) TallyEvents<T>(world, tally).collide(photon, colliding);
     companions_of<Events>(world, t).before(photon);
     t.branch = transport::collide(world.slabs, photon, t.spectral_bin, world.forward.conversion,
                                   t.choices[0], t.choices[1]);

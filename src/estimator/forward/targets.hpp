@@ -67,6 +67,8 @@ void aim_at_targets(const World<T>& world, ForwardTracks<T>& at) {
   at.targets.clear();
   aim_at_telescopes(world, at);
   aim_at_views(world.forward, at.photon, at.targets);
+  for (const Vec3<T>& direction : world.forward.radiance_directions)
+    at.targets.add(direction, T(0), T(1));
 }
 
 }  // namespace photic::estimator

@@ -70,6 +70,7 @@ struct Plans {
 const Plans clear{"0: histories in water, draws own, scores all, in ledger\n",
                   "0: walks in water, draws own, scores all, in ledger\n",
                   "0: analog in water, draws own, scores all, in ledger\n"};
+const Plans tallies{clear.forward, "refused", clear.analog};
 const Plans waves{clear.forward,
                   "0: walks in water, draws own, scores all, in ledger\n"
                   "1: surface echo in water, draws own, scores all\n",
@@ -121,6 +122,7 @@ const std::map<std::string, Plans> plans_of_scenes{{"airborne", clear},
                                                    {"benchmark-hg", clear},
                                                    {"benchmark-peaked", clear},
                                                    {"biaxial", clear},
+                                                   {"cone", tallies},
                                                    {"fluorosensor-355", clear},
                                                    {"minimal", clear},
                                                    {"oil-spill", oil},
@@ -131,6 +133,7 @@ const std::map<std::string, Plans> plans_of_scenes{{"airborne", clear},
                                                    {"ship-waves", waves},
                                                    {"spaceborne", air},
                                                    {"spaceborne-waves", air_over_waves},
+                                                   {"sun", tallies},
                                                    {"three-layers", clear}};
 
 // Seen red: with walks in the air that draw the run's own numbers; without minimal.toml in the

@@ -1,0 +1,39 @@
+#include "medium/air_alone.hpp"
+
+#include <algorithm>
+
+#include "medium/air.hpp"
+#include "medium/bed.hpp"
+#include "medium/upside_down.hpp"
+
+namespace photic::medium {
+
+Medium build_air_alone(const scene::Scene& scene) {
+  Medium medium;
+  medium.line.push_back(
+      {.process = Process::elastic, .wavelength_nm = scene.source.wavelength_nm, .counted_by = {}});
+  const Air air = build_air(scene, medium.line).value();
+  medium.sources = air.sources;
+  for (auto height = air.height_m.rbegin(); height != air.height_m.rend(); ++height)
+    medium.top.push_back(air.height_m.back() - *height);
+  const Absorbers& absorbers = air.absorbers;
+  medium.absorbers = {{absorbers.layer.rbegin(), absorbers.layer.rend()},
+                      absorbers.constituent,
+                      {absorbers.share.rbegin(), absorbers.share.rend()}};
+  for (std::size_t k = air.layers(); k-- > 0;) {
+    const double c = std::max(air.a[k] + air.b[k], min_attenuation);
+    medium.c.push_back(c);
+    medium.albedo.push_back(air.b[k] / c);
+    medium.absorption.push_back(1 - air.b[k] / c);
+    medium.conversion.push_back(0);
+    medium.elastic_phase.push_back(medium.add_phase(air.phase(air.phases_of.front(), k)));
+  }
+  medium.conversion_phase.push_back(0);
+  scene::Scene over_ground = scene;
+  over_ground.bottom = scene::Bottom{scene.atmosphere->surface->albedo};
+  add_bed(over_ground, medium);
+  medium.finish();
+  return medium;
+}
+
+}  // namespace photic::medium

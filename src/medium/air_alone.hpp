@@ -1,0 +1,13 @@
+// Air without a sea: a medium from its top down to the ground.
+#pragma once
+
+#include "medium/medium.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::medium {
+
+/// The air of a scene that has no sea, above its ground. Its depths are from the top down, and its
+/// surface, the top, does nothing to light. Throws as build_air() does.
+Medium build_air_alone(const scene::Scene& scene);
+
+}  // namespace photic::medium
