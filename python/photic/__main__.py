@@ -17,10 +17,11 @@ def main(arguments=None):
     commands = parser.add_subparsers(dest="command", required=True)
     plot = commands.add_parser(
         "plot",
-        help="draw echoes against depth, or optics",
+        help="draw echoes against depth and tallies, or optics",
         description="Draws the echoes of one result by channel, process and order, or by depth and "
         "wavelength if it has eight channels or more, or those of several results on the same axes, "
-        "channel by channel, and each by order beside them; all telescopes, or those chosen. From a "
+        "channel by channel, and each by order beside them; all telescopes, or those chosen. Tallies "
+        "beside echoes follow below, where one result is drawn alone. From a "
         "file of `photic optics` it draws coefficients, phase functions and emitted light, or "
         "spectra.",
     )

@@ -64,9 +64,9 @@ def depth_by_wavelength(view, columns, panel):
     down = _gate_edges(view, columns)
     lit = echo > 0
     if lit.any():
-        _colours(panel, across, down, numpy.where(lit, echo, numpy.nan), _norm(echo, lit & settled), columns.unit)
-        boxes = _boxes(across, down, lit & ~settled)
-        panel.add_collection(PolyCollection(boxes, zorder=1.2, **HATCH), autolim=False)
+        colours(panel, across, down, numpy.where(lit, echo, numpy.nan), norm_of(echo, lit & settled), columns.unit)
+        unsettled = boxes(across, down, lit & ~settled)
+        panel.add_collection(PolyCollection(unsettled, zorder=1.2, **HATCH), autolim=False)
     else:
         panels.say(panel, panels.NO_LIGHT)
     panel.set_facecolor(DARK)
@@ -94,14 +94,14 @@ def _gate_edges(view, columns):
     return edges
 
 
-def _norm(echo, settled):
+def norm_of(echo, settled):
     """By what has converged, if anything has."""
     values = echo[settled if settled.any() else echo > 0]
     low, high = max(values.min(), values.max() / LARGEST_RATIO), values.max()
     return LogNorm(low, high) if low < high else LogNorm(low / 3, 3 * high)
 
 
-def _colours(panel, across, down, echo, norm, unit):
+def colours(panel, across, down, echo, norm, unit):
     """Each column with edges of its own, and cells without a width between them."""
     cells = numpy.full((len(echo), 2 * echo.shape[1] - 1), numpy.nan)
     cells[:, ::2] = echo
@@ -114,15 +114,15 @@ def _colours(panel, across, down, echo, norm, unit):
     bar.set_label(unit)
 
 
-def _boxes(across, down, chosen):
+def boxes(across, down, chosen):
     """A rectangle for each stretch of gates that are chosen in a column."""
-    boxes = []
+    found = []
     for column, (left, right) in enumerate(zip(across[:-1], across[1:])):
         one = numpy.concatenate([[False], chosen[:, column], [False]]).astype(int)
         for begin, end in numpy.flatnonzero(numpy.diff(one)).reshape(-1, 2):
             top, bottom = down[begin, column], down[end, column]
-            boxes.append([(left, top), (right, top), (right, bottom), (left, bottom)])
-    return boxes
+            found.append([(left, top), (right, top), (right, bottom), (left, bottom)])
+    return found
 
 
 def _name(panel, columns, across, is_wavelength):

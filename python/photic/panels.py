@@ -109,14 +109,14 @@ def lines_legend(lines, faded, title=None, styles=()):
 
 def finish_lines(panel, echoes, every=None):
     """Axes for the echoes shown; every: those that other panels show on the same axis."""
-    if _limits(echoes) is None:
+    if limits(echoes) is None:
         say(panel, NO_LIGHT)
-    limits = _limits(every or echoes)
-    if limits is None:  # no numbers for a logarithmic axis
+    ends = limits(every or echoes)
+    if ends is None:  # no numbers for a logarithmic axis
         panel.set_xticks([])
     else:
         panel.set_xscale("log")
-        panel.set_xlim(limits)
+        panel.set_xlim(ends)
     panel.set_xlabel("photons detected per photon emitted")
     grid(panel)
 
@@ -135,7 +135,7 @@ def unsettled(echo, converged):
     return bool(((echo > 0) & ~converged).any())
 
 
-def _limits(echoes):
+def limits(echoes):
     """The limits that hold every echo above 0; None if there is none."""
     values = numpy.concatenate([numpy.ravel(echo) for echo in echoes])
     values = values[values > 0]
@@ -171,14 +171,14 @@ def spectra(lines, every, panel, styles=itertools.repeat("-")):
 
 def finish_spectra(panel, values, unit):
     """Axes for values by wavelength."""
-    limits = _limits(values)
-    if limits is None:
+    ends = limits(values)
+    if ends is None:
         say(panel, NO_LIGHT)
         panel.set_xticks([])
         panel.set_yticks([])
     else:
         panel.set_yscale("log")
-        panel.set_ylim(limits)
+        panel.set_ylim(ends)
     panel.set_xlabel("wavelength [nm]")
     panel.set_ylabel(unit)
     grid(panel)
@@ -240,11 +240,19 @@ def _change_axes(panel, values, factors):
         low, high = min(values.min(), 1), max(values.max(), 1)
         panel.set_xscale("log")
         panel.set_xlim(low / (high / low) ** 0.05, high * (high / low) ** 0.05)
-        panel.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 100 * low else (1,)))
+        name_decades(panel.xaxis, low, high)
         panel.xaxis.set_major_formatter("{x:g}")
-        panel.xaxis.set_minor_formatter(NullFormatter())
     label = "ratio to the scene's echo" if factors else "change from the scene's echo [%]"
     panel.set_xlabel(label)
+
+
+def name_decades(axis, low, high):
+    """Numbers on a logarithmic axis: within decades, too, where it has few."""
+    few = high < 100 * low
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if few else (1,)))
+    axis.set_minor_formatter(NullFormatter())
+    if few:
+        axis.set_major_formatter("{x:g}")
 
 
 def _around_zero(panel, values):
@@ -352,9 +360,13 @@ def finish_depth(panel, results):
         end = result.gate_depth_bounds.max("bnds")
         lit = result.echo > 0
         ends.append(float((end.where(lit) if lit.any() else end).max()))
-    bottom, top = max(ends), min(float(result.gate_depth_bounds.min()) for result in results)
-    panel.set_ylim(bottom, top)
-    label = axis_of(results[0])
+    top = min(float(result.gate_depth_bounds.min()) for result in results)
+    name_depth(panel, top, max(ends), axis_of(results[0]))
+
+
+def name_depth(panel, top, bottom, label="depth [m]", margin=0):
+    """Depth, or another axis of that label, downwards; with a margin at both ends."""
+    panel.set_ylim(bottom + margin, top - margin)
     if label == "depth [m]" and top < 0 < bottom:
         panel.axhline(0, **SEA_LEVEL)
         label += "; above the line: air"

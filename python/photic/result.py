@@ -28,6 +28,17 @@ def open(path):
     sensitivity_converged. Over a film of oil: film_attenuation [1/m] and film_interface_ratio, which
     oil_thickness uses. Attributes: the run, and the scene as text.
 
+    If the scene has tallies, there are their quantities, each with _standard_error, _converged and
+    _convergence_flags, and the attributes units and normalisation, and strength_scale and
+    strength_units if the source has a strength: value * value.attrs["strength_scale"] is in these.
+    irradiance_down, irradiance_up, scalar_irradiance_down and scalar_irradiance_up have the dimension
+    level (coordinate level_depth [m], negative in the air); radiance has direction (direction_zenith and
+    direction_azimuth [degree], where the light travels) and radiance_level; absorbed has layer and
+    constituent (indexed by name); escaped has escape_zenith [degree]; fluence, or fluence_NAME, has
+    fluence_depth and fluence_radius or fluence_x [m]. Numbers: reflected_by_surface, left_water,
+    absorbed_by_bottom, absorbed_by_film, absorbed_by_ground and balance. Without telescopes there is
+    nothing about echoes.
+
     What `photic optics` wrote is opened too. Dimensions: depth (the layers' upper edges) [m],
     wavelength [nm], angle [degree], process (indexed by name), emission_line. Variables: a_per_m,
     b_per_m, c_per_m, bb_per_m, albedo, mean_cosine, phase_function_per_sr, those of constituents
@@ -62,17 +73,29 @@ def scene_of(result):
     return tomllib.loads(result.attrs["scene"])
 
 
+def tallies(dataset):
+    """The names of the quantities tallied beside echoes."""
+    named = [name for name, each in dataset.data_vars.items() if "normalisation" in each.attrs]
+    return [name for name in named if name + "_standard_error" in dataset]
+
+
+def has_echoes(dataset):
+    """Returns whether a result has echoes, as all have but those of scenes with tallies alone."""
+    return "echo" in dataset or not tallies(dataset)
+
+
 def _named(dataset):
-    """Echoes by the names of telescopes, channels and processes."""
+    """Echoes by the names of telescopes, channels and processes, and tallies by those of layers."""
     named = [axis for axis in dataset.dims if axis + "_name" in dataset]
-    for axis in dict.fromkeys(["telescope", "channel", "process", *named]):
+    of_echoes = ["telescope", "channel", "process"] if has_echoes(dataset) else []
+    for axis in dict.fromkeys([*of_echoes, *named]):
         if axis + "_name" not in dataset and axis in dataset.coords:
             continue  # a dataset of this function, written by xarray
         names = dataset[axis + "_name"]
         dataset = dataset.assign_coords({axis: (axis, names.values.astype(str), names.attrs)})
         dataset = dataset.drop_vars(axis + "_name")
     parts = [name for name in dataset.data_vars if name.endswith("_converged")]
-    for name in ["converged", *parts]:
+    for name in ["converged", *parts] if of_echoes else parts:
         # With bytes, ~ds.converged would be true everywhere.
         converged = dataset[name].astype(bool)
         converged.attrs = {"long_name": dataset[name].attrs["long_name"]}

@@ -9,20 +9,14 @@
 #include <vector>
 
 #include "io/atomic_file.hpp"
+#include "io/csv_field.hpp"
 #include "io/echo_rows.hpp"
 #include "io/table.hpp"
 #include "io/table_parts.hpp"
+#include "io/tally_csv.hpp"
 
 namespace photic::io {
 namespace {
-
-/// RFC 4180, section 2: quotes where needed, a quote within is doubled.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"#\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
 
 constexpr const char* estimator_word = ", estimator ";
 constexpr const char* photons_word = ", photons ";
@@ -41,6 +35,7 @@ std::string whose(const tally::Result& result) {
                      photons_word, result.photons, result.partial ? " (partial: interrupted)" : "");
 }
 
+/// The run, and what went wrong in it.
 std::string head(const tally::Result& result) {
   std::string out = whose(result);
   if (const std::string rested = rested_channels(result); !rested.empty())
@@ -48,7 +43,12 @@ std::string head(const tally::Result& result) {
                        one_line(rested));
   for (const auto& warning : result.warnings)
     out += fmt::format("# warning: {}\n", one_line(warning));
-  out +=
+  return out;
+}
+
+/// What the columns hold, and their names.
+std::string head_of_columns(const tally::Result& result) {
+  std::string out =
       "# echo: expected photons detected in the gate per photon emitted; standard_error: of the "
       "echo\n";
   out += fmt::format(
@@ -64,7 +64,8 @@ std::string head(const tally::Result& result) {
     more += ",environment,difference,difference_standard_error";
     if (!result.environment_path.empty())
       out += "# columns called by paths: the values there in the environment\n";
-    for (const std::string& path : result.environment_path) more.append(1, ',').append(field(path));
+    for (const std::string& path : result.environment_path)
+      more.append(1, ',').append(csv_field(path));
   }
   if (has_parameters(result)) {
     out +=
@@ -74,13 +75,15 @@ std::string head(const tally::Result& result) {
         ",parameter,sensitivity,sensitivity_standard_error,logarithmic_sensitivity,"
         "logarithmic_sensitivity_standard_error";
   }
-  return out + columns + more + '\n';
+  if (!result.tallies.empty())
+    more += ',' + fmt::format("{}", fmt::join(tally_columns(result), ","));
+  return out + about_tallies(result) + columns + more + '\n';
 }
 
 std::string line(const tally::Result& result, const EchoRow& row) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{}",
-                     field(result.telescope_name[row.telescope]),
-                     field(result.channel_name[row.channel]), row.gate, row.time_start_ns,
+                     csv_field(result.telescope_name[row.telescope]),
+                     csv_field(result.channel_name[row.channel]), row.gate, row.time_start_ns,
                      row.time_end_ns, row.depth_m, row.echo, row.standard_error, row.relative_error,
                      row.converged() ? "yes" : "no", fmt::join(flag_names(row.flags), " "));
 }
@@ -90,7 +93,7 @@ std::string environment_part(const tally::Result& result, std::optional<std::siz
                              const EchoRow& row) {
   if (!has_environments(result)) return "";
   const std::size_t paths = result.environment_path.size();
-  const std::string name = environment ? field(result.environment_name[*environment]) : "";
+  const std::string name = environment ? csv_field(result.environment_name[*environment]) : "";
   std::string out = fmt::format(",{},{},{}", name, row.difference, row.difference_standard_error);
   for (std::size_t p = 0; p < paths; ++p)
     out +=
@@ -101,30 +104,47 @@ std::string environment_part(const tally::Result& result, std::optional<std::siz
 std::string parameter_part(const tally::Result& result, const std::string& name,
                            const EchoRow& row) {
   if (!has_parameters(result)) return "";
-  return fmt::format(",{},{},{},{},{}", field(name), row.sensitivity,
+  return fmt::format(",{},{},{},{},{}", csv_field(name), row.sensitivity,
                      row.sensitivity_standard_error, row.logarithmic_sensitivity,
                      row.logarithmic_sensitivity_standard_error);
+}
+
+/// Rows whose columns of echoes are empty, but for those that both have.
+std::string tallies_beside_echoes(const tally::Result& result) {
+  const std::size_t before = 7;  // columns of echoes before standard_error
+  const std::size_t between = (has_environments(result) ? 3 + result.environment_path.size() : 0) +
+                              (has_parameters(result) ? 5 : 0);
+  std::string out;
+  for (const TallyLine& line : tally_lines(result))
+    out += fmt::format("{}{}{},{}\n", std::string(before, ','), line.quality,
+                       std::string(between, ','), fmt::join(line.fields, ","));
+  return out;
 }
 
 /// All rows of the scene, an environment or a parameter.
 std::string lines(const tally::Result& result, const std::vector<EchoRow>& rows,
                   std::optional<std::size_t> environment, const std::string& parameter) {
+  const std::size_t empty = result.tallies.empty() ? 0 : tally_columns(result).size();
   std::string out;
   for (const EchoRow& row : rows)
     out += line(result, row) + environment_part(result, environment, row) +
-           parameter_part(result, parameter, row) + '\n';
+           parameter_part(result, parameter, row) + std::string(empty, ',') + '\n';
   return out;
+}
+
+std::string echoes(const tally::Result& result) {
+  std::string out = head_of_columns(result) + lines(result, echo_rows(result), std::nullopt, "");
+  for (std::size_t e = 0; e < result.environment_name.size(); ++e)
+    out += lines(result, environment_rows(result, e), e, "");
+  for (std::size_t p = 0; p < result.parameter_name.size(); ++p)
+    out += lines(result, sensitivity_rows(result, p), std::nullopt, result.parameter_name[p]);
+  return out + tallies_beside_echoes(result);
 }
 
 }  // namespace
 
 std::string echo_csv(const tally::Result& result) {
-  std::string out = head(result) + lines(result, echo_rows(result), std::nullopt, "");
-  for (std::size_t e = 0; e < result.environment_name.size(); ++e)
-    out += lines(result, environment_rows(result, e), e, "");
-  for (std::size_t p = 0; p < result.parameter_name.size(); ++p)
-    out += lines(result, sensitivity_rows(result, p), std::nullopt, result.parameter_name[p]);
-  return out;
+  return head(result) + (result.has_echoes() ? echoes(result) : tally_csv(result));
 }
 
 void write_csv(const tally::Result& result, const std::string& path, const std::string& keep_as) {
@@ -132,7 +152,7 @@ void write_csv(const tally::Result& result, const std::string& path, const std::
 }
 
 void write_table(const tally::Result& result, const std::string& path, const std::string& keep_as) {
-  const TableLayout full{.max_rows = result.gates(), .all_columns = true};
+  const TableLayout full{.max_rows = all_rows, .all_columns = true};
   write_atomically(path, whose(result) + '\n' + echo_table(result, full), keep_as);
 }
 

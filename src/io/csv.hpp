@@ -1,5 +1,5 @@
-// The echoes as text: comma-separated values for spreadsheets, the printed table for people. All
-// other results of a run are in the netCDF file (io/netcdf.hpp).
+// Echoes and tallies as text: comma-separated values for spreadsheets, the printed table for
+// people. All other results of a run are in the netCDF file (io/netcdf.hpp).
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,9 @@ namespace photic::io {
 /// are quoted as in RFC 4180 (also those holding '#'); numbers read back to the same value; what is
 /// not a number is "nan". The rows of environments follow those of the scene; three more columns
 /// then name them and hold their differences. The rows of parameters come last: the scene's, with
-/// the derivatives in five columns of their own and the convergence of these.
+/// the derivatives in five columns of their own and the convergence of these. The cells of tallies
+/// beside echoes follow in the same way, with columns of their own (io/tally_csv.hpp); without
+/// echoes these are all there is.
 std::string echo_csv(const tally::Result& result);
 
 /// Writes echo_csv to a file, whole or not at all; `keep_as` as in write_atomically. Throws

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/echo_rows.hpp"
+#include "io/tally_rows.hpp"
 
 namespace photic::io {
 namespace {
@@ -67,6 +68,32 @@ Json sensitivities(const tally::Result& result, std::size_t parameter) {
   return all;
 }
 
+/// A quantity beside echoes with an object for each cell.
+Json tally(const tally::TallyEstimates& one) {
+  const tally::TallyGrid& grid = one.grid;
+  Json out = {{"quantity", grid.name},
+              {"long_name", grid.long_name},
+              {"units", grid.units},
+              {"normalisation", grid.normalisation}};
+  if (grid.by_strength) {
+    out["strength_scale"] = grid.by_strength->scale;
+    out["strength_units"] = grid.by_strength->units;
+  }
+  out["cells"] = Json::array();
+  for (const TallyRow& row : tally_rows(one)) {
+    Json cell = Json::object();
+    for (const auto& [name, value] : place_of(row))
+      std::visit([&](const auto& each) { cell[name] = each; }, value);
+    cell.update({{"value", row.value},
+                 {"standard_error", row.standard_error},
+                 {"relative_error", row.relative_error},
+                 {"converged", row.converged()},
+                 {"reasons", flag_names(row.flags)}});
+    out["cells"].push_back(std::move(cell));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string echo_json(const tally::Result& result) {
@@ -97,6 +124,11 @@ std::string echo_json(const tally::Result& result) {
   }
   for (std::size_t p = 0; p < result.parameter_name.size(); ++p)
     for (Json& one : sensitivities(result, p)) json["sensitivities"].push_back(std::move(one));
+  if (result.source_strength) {
+    json["source_strength"] = *result.source_strength;
+    json["source_strength_units"] = result.source_strength_units;
+  }
+  for (const tally::TallyEstimates& one : result.tallies) json["tallies"].push_back(tally(one));
   // Names may hold bytes that are not UTF-8: shown as U+FFFD, not a reason to lose the rest.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -1,5 +1,7 @@
 #include "io/netcdf_axes.hpp"
 
+#include "io/netcdf_bounds.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,22 +13,6 @@
 
 namespace photic::io {
 namespace {
-
-/// Pairs of neighbouring edges, as CF-1.10 section 7.1 wants bounds; `rows` rows of edges after
-/// each other.
-std::vector<double> bounds(const std::vector<double>& edges, std::size_t rows = 1) {
-  const std::size_t per_row = edges.size() / rows;
-  std::vector<double> pairs;
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    if (i % per_row + 1 < per_row) pairs.insert(pairs.end(), {edges[i], edges[i + 1]});
-  return pairs;
-}
-
-std::vector<double> centres(const std::vector<double>& pairs) {
-  std::vector<double> out;
-  for (std::size_t i = 0; i < pairs.size(); i += 2) out.push_back(0.5 * (pairs[i] + pairs[i + 1]));
-  return out;
-}
 
 void add_axis(NetcdfImage& file, const tally::Axis& axis) {
   file.add_dimension(axis.name, axis.size());
@@ -59,7 +45,6 @@ void add_axes(NetcdfImage& file, const tally::Result& result) {
   file.add_dimension("telescope", result.telescopes());
   file.add_dimension("channel", result.channels());
   file.add_dimension("gate", result.gates());
-  file.add_dimension("bnds", 2);
   file.add_variable("telescope_name", {"telescope"}, result.telescope_name,
                     {{"long_name", "name of the telescope"}});
   file.add_variable("channel_name", {"channel"}, result.channel_name,

@@ -27,6 +27,12 @@ constexpr auto tail_sums = [](auto& s) {
   auto& [a, b, c, d] = s.power;
   return std::array{&s.low.x, &s.low.xx, &s.origin, &s.photons, &a, &b, &c, &d};
 };
+constexpr std::size_t tally_fields = 8 + 1;
+constexpr auto tally_sums = [](auto& s) {
+  std::array<decltype(&s.largest), tally_fields> out{};
+  *std::ranges::copy(tail_sums(s.scored), out.begin()).out = &s.largest;
+  return out;
+};
 constexpr std::size_t environment_fields = 2 * 8 + 5;
 constexpr auto environment_sums = [](auto& s) {
   std::array<decltype(&s.largest), environment_fields> out{};
@@ -51,10 +57,8 @@ const std::string of_tail_sums =
     "; mean score per photon of the first batch that scored, photons of those that did, and sums "
     "of photons times powers 1 to 4 of the distance from that mean";
 
-/// All of a state under its names in the file: for the visitor that writes, and the one that reads.
-/// A state to be read into has the extents of what is read.
 template <class Visitor, class State>
-void describe(Visitor& v, State& s, const std::vector<tally::Grid>& grids) {
+void describe_run(Visitor& v, State& s) {
   v.count("photons", s.photons);
   v.count("batches", s.batches);
   v.count("collisions", s.collisions);
@@ -69,7 +73,19 @@ void describe(Visitor& v, State& s, const std::vector<tally::Grid>& grids) {
   v.number("weight_excess", s.ledger_excess.x);
   v.number("weight_excess_squares", s.ledger_excess.xx);
   v.number("resting_target", s.resting_target);
+}
 
+template <class Visitor, class State>
+void describe_tallies(Visitor& v, State& s) {
+  v.array("tally_sums", {"tally_cell", "tally_sum"}, s.tallies, tally_sums,
+          "cells of the quantities beside echoes, one quantity after the other" + of_tail_sums +
+              "; largest single score");
+  v.array("tally_octaves", {"tally_cell", "octave"}, s.tally_octaves, octaves,
+          "number of their scores by octave of their size");
+}
+
+template <class Visitor, class State>
+void describe_echoes(Visitor& v, State& s, const std::vector<tally::Grid>& grids) {
   const Names cell{"telescope", "channel", "gate"};
   const auto in_cell = [&](const Names& more) {
     Names all = cell;
@@ -105,6 +121,15 @@ void describe(Visitor& v, State& s, const std::vector<tally::Grid>& grids) {
   v.array("snapshot_batches", in_snapshot, s.snapshot_batches, itself, "batches of those photons");
   v.array("snapshot_echo_sums", {"snapshot", "telescope", "channel", "gate", "sum"},
           s.snapshot_echo, sums, "echo at that time" + of_sums);
+}
+
+/// All of a state under its names in the file: for the visitor that writes, and the one that reads.
+/// A state to be read into has the extents of what is read.
+template <class Visitor, class State>
+void describe(Visitor& v, State& s, const std::vector<tally::Grid>& grids) {
+  describe_run(v, s);
+  if (!s.tallies.empty()) describe_tallies(v, s);
+  if (!s.echo.empty()) describe_echoes(v, s, grids);
 }
 
 class StateWriter {
@@ -167,6 +192,17 @@ class StateReader {
   std::map<std::string, std::size_t> lengths_;
 };
 
+void add_dimensions_of_echoes(NetcdfImage& file, const tally::TotalsState& state) {
+  file.add_dimension("sum", 2);
+  file.add_dimension("row_count", 4);
+  file.add_dimension("walked", state.octaves.size() / state.echo.size());
+  if (!state.environment.empty()) {
+    file.add_dimension("other_water", state.environment.size() / state.echo.size());
+    file.add_dimension("environment_sum", environment_fields);
+  }
+  if (state.batches > 0) file.add_dimension("snapshot", tally::snapshots_at(state.batches));
+}
+
 }  // namespace
 
 void add_state(NetcdfImage& file, const tally::TotalsState& state,
@@ -175,16 +211,13 @@ void add_state(NetcdfImage& file, const tally::TotalsState& state,
   file.add_global("comment",
                   "what `photic run --continue` starts from: the sums of all whole "
                   "batches, exact to the last bit");
-  file.add_dimension("sum", 2);
-  file.add_dimension("row_count", 4);
   file.add_dimension("tail_sum", 8);
-  file.add_dimension("walked", state.octaves.size() / state.echo.size());
   file.add_dimension("octave", tally::score_octaves);
-  if (!state.environment.empty()) {
-    file.add_dimension("other_water", state.environment.size() / state.echo.size());
-    file.add_dimension("environment_sum", environment_fields);
+  if (!state.tallies.empty()) {
+    file.add_dimension("tally_cell", state.tallies.size());
+    file.add_dimension("tally_sum", tally_fields);
   }
-  if (state.batches > 0) file.add_dimension("snapshot", tally::snapshots_at(state.batches));
+  if (!state.echo.empty()) add_dimensions_of_echoes(file, state);
   StateWriter writer(file);
   describe(writer, state, grids);
 }
@@ -211,6 +244,8 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
       {"octave", tally::score_octaves},
       {"other_water", shape.environments},
       {"environment_sum", environment_fields},
+      {"tally_cell", tally::cells_of(shape.tallies)},
+      {"tally_sum", tally_fields},
       {"snapshot", tally::snapshots_at(file.count("batches"))}};
   for (const tally::Grid& grid : shape.grids)
     for (const tally::Axis& axis : grid.axes) lengths[axis.name] = axis.size();

@@ -9,8 +9,10 @@
 #include "io/atomic_file.hpp"
 #include "io/netcdf.hpp"
 #include "io/netcdf_axes.hpp"
+#include "io/netcdf_flags.hpp"
 #include "io/netcdf_image.hpp"
 #include "io/netcdf_state.hpp"
+#include "io/netcdf_tallies.hpp"
 
 namespace photic::io {
 namespace {
@@ -98,33 +100,11 @@ void add_echoes(NetcdfImage& file, const tally::Result& result) {
   }
 }
 
-/// `prefix`: before the names of the variables; `what`: the flags are of.
+/// The flags of echoes, whose coordinates they share.
 void add_flags(NetcdfImage& file, const std::string& prefix, const std::string& what,
-               const std::vector<std::string>& dimensions,
-               const std::vector<std::int32_t>& all_flags,
+               const std::vector<std::string>& dimensions, const std::vector<std::int32_t>& flags,
                const std::string& more_coordinates = "") {
-  const AttributeValue coordinates = usual_coordinates + more_coordinates;
-  std::vector<std::int8_t> converged;
-  for (const std::int32_t flags : all_flags) converged.push_back(flags == 0 ? 1 : 0);
-  file.add_variable(
-      prefix + "converged", dimensions, converged,
-      {{"long_name", "whether the " + what + " and its standard error can be relied on"},
-       {"flag_values", std::vector<std::int8_t>{0, 1}},
-       {"flag_meanings", "no yes"},
-       {"coordinates", coordinates}});
-  std::vector<std::int32_t> masks;
-  std::vector<std::string> names, explanations;
-  for (const auto& meaning : tally::flag_meanings()) {
-    masks.push_back(meaning.flag);
-    names.emplace_back(meaning.name);
-    explanations.push_back(fmt::format("{}: {}", meaning.name, meaning.explanation));
-  }
-  file.add_variable(prefix + "convergence_flags", dimensions, all_flags,
-                    {{"long_name", "why the " + what + " has not converged; 0 where it has"},
-                     {"flag_masks", masks},
-                     {"flag_meanings", fmt::format("{}", fmt::join(names, " "))},
-                     {"comment", fmt::format("{}", fmt::join(explanations, "; "))},
-                     {"coordinates", coordinates}});
+  add_flags(file, {prefix, what, dimensions, usual_coordinates + more_coordinates}, flags);
 }
 
 void add_convergence(NetcdfImage& file, const tally::Result& result) {
@@ -260,6 +240,16 @@ std::string history_line(const std::string& command_line) {
 
 namespace {
 
+void add_all_of_echoes(NetcdfImage& file, const tally::Result& result) {
+  add_axes(file, result);
+  add_gates(file, result);
+  add_axes_of_grids(file, result);
+  add_echoes(file, result);
+  add_convergence(file, result);
+  add_environments(file, result);
+  add_sensitivities(file, result);
+}
+
 std::vector<tally::Grid> grids_of(const tally::Result& result) {
   std::vector<tally::Grid> out;
   for (const auto& grid : result.grids) out.push_back(grid.grid);
@@ -272,13 +262,9 @@ void write_netcdf(const tally::Result& result, const std::string& path, const Wr
   NetcdfImage file;
   add_description(file, result, info);
   add_run(file, result);
-  add_axes(file, result);
-  add_gates(file, result);
-  add_axes_of_grids(file, result);
-  add_echoes(file, result);
-  add_convergence(file, result);
-  add_environments(file, result);
-  add_sensitivities(file, result);
+  file.add_dimension("bnds", 2);
+  if (result.has_echoes()) add_all_of_echoes(file, result);
+  add_tallies(file, result);
   if (result.state) add_state(file, *result.state, grids_of(result));
   write_atomically(path, file.finish(), info.keep_as);
 }

@@ -3,47 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
-#include "core/utf8.hpp"
 #include "io/echo_rows.hpp"
 #include "io/environment_table.hpp"
 #include "io/sensitivity_table.hpp"
 #include "io/table_parts.hpp"
+#include "io/tally_table.hpp"
 #include "io/text_columns.hpp"
 
 namespace photic::io {
 namespace {
 
-constexpr std::size_t cell_width = 19;  // "1.235e-08 > 999 % *"
-constexpr std::size_t blanks = 3;       // before a column
+constexpr std::size_t blanks = 3;  // before a column
 
 /// Beside the depth.
 std::size_t channels_abreast(std::size_t width) {
   return std::max<std::size_t>(1, (width - blanks - place_width) / (blanks + cell_width));
-}
-
-std::string relative_error_text(double relative_error) {
-  if (std::isnan(relative_error)) return "-";
-  const double percent = 100 * relative_error;
-  if (percent >= 1000) return "> 999 %";
-  // Two digits, as many as an error deserves.
-  return fmt::format("{:.{}f} %", percent, percent < 1 ? 2 : percent < 10 ? 1 : 0);
-}
-
-std::string cell(const EchoRow& row) {
-  const std::string echo = row.echo == 0 ? "0" : fmt::format("{:.3e}", row.echo);
-  return fmt::format("{:>9} {:>7} {}", echo, relative_error_text(row.relative_error),
-                     row.converged() ? ' ' : '*');
-}
-
-/// A channel's name above its echoes and their errors, in lines as wide as these.
-std::string heading(const std::string& channel) {
-  std::string out;
-  for (const std::string& line : wrapped(channel, cell_width))
-    out += line + std::string(cell_width - letters(line), ' ') + '\n';
-  return out + fmt::format("{:>9} {:>7}  ", "echo", "error");
 }
 
 /// One telescope's gates for the channels [first, last).
@@ -55,9 +31,10 @@ std::string block(const tally::Result& result, const std::vector<EchoRow>& rows,
   };
   std::vector<TextColumn> columns{place_column(result, row(first, 0), gates, step)};
   for (std::size_t c = first; c < last; ++c) {
-    columns.push_back({heading(result.channel_name[c]), {}});
+    columns.push_back({estimate_heading(result.channel_name[c], "echo"), {}});
     for (std::size_t gate = 0; gate < gates; gate += step)
-      columns.back().cells.push_back(cell(row(c, gate)));
+      columns.back().cells.push_back(
+          estimate_cell(row(c, gate).echo, row(c, gate).relative_error, row(c, gate).converged()));
   }
   return side_by_side(columns, blanks) + '\n';
 }
@@ -66,8 +43,7 @@ std::string tables(const tally::Result& result, const std::vector<EchoRow>& rows
                    std::size_t width) {
   const std::string about =
       "Echo: photons detected in the gate per photon emitted; error: standard error over echo";
-  std::string out = result.title.empty() ? "" : paragraph(result.title, width);
-  out += paragraph(about, width);
+  std::string out = paragraph(about, width);
   if (step > 1) out += fmt::format("Shown: 1 gate of {}; --table full shows all\n", step);
   out += '\n';
   const std::size_t abreast = channels_abreast(width);
@@ -130,8 +106,9 @@ std::string made_by(const tally::Result& result) {
 }  // namespace
 
 std::string run_summary(const tally::Result& result, std::size_t width) {
-  std::string out = converged(result, echo_rows(result), width) + paragraph(pace(result), width) +
-                    paragraph(made_by(result), width);
+  std::string out = result.has_echoes() ? converged(result, echo_rows(result), width) : "";
+  out += converged_tallies(result, width) + paragraph(pace(result), width) +
+         paragraph(made_by(result), width);
   if (const std::string rested = rested_channels(result); !rested.empty())
     out += paragraph("photons of channels that met the target before others: " + rested, width);
   out += fmt::format("stopped by: {}{}\n", result.stopped_by,
@@ -140,13 +117,23 @@ std::string run_summary(const tally::Result& result, std::size_t width) {
   return out;
 }
 
+namespace {
+
+std::string of_echoes(const tally::Result& result, const TableLayout& layout, std::size_t width) {
+  if (!result.has_echoes()) return "";
+  const std::vector<EchoRow> rows = echo_rows(result);
+  const std::size_t step = layout.step(result.gates());
+  return tables(result, rows, step, width) + legend(rows, width) +
+         environment_table(result, step, layout) + sensitivity_table(result, step, layout) + '\n';
+}
+
+}  // namespace
+
 std::string echo_table(const tally::Result& result, const TableLayout& layout) {
   expect(layout.max_rows > 0, "a table has at least one row");
-  const std::vector<EchoRow> rows = echo_rows(result);
-  const std::size_t step = (result.gates() + layout.max_rows - 1) / layout.max_rows;
   const std::size_t width = std::max(layout.width, min_width);
-  return tables(result, rows, step, width) + legend(rows, width) +
-         environment_table(result, step, layout) + sensitivity_table(result, step, layout) + '\n' +
+  const std::string title = result.title.empty() ? "" : paragraph(result.title, width);
+  return title + of_echoes(result, layout, width) + tally_table(result, layout) +
          run_summary(result, width);
 }
 

@@ -54,18 +54,45 @@ TextColumn place_column(const tally::Result& result, const EchoRow& first, std::
   return out;
 }
 
-std::string legend(const std::vector<EchoRow>& rows, std::size_t width) {
+std::string relative_error_text(double relative_error) {
+  if (std::isnan(relative_error)) return "-";
+  const double percent = 100 * relative_error;
+  if (percent >= 1000) return "> 999 %";
+  return fmt::format("{:.{}f} %", percent, percent < 1 ? 2 : percent < 10 ? 1 : 0);
+}
+
+std::string estimate_cell(double value, double relative_error, bool converged) {
+  const std::string number = value == 0 ? "0" : fmt::format("{:.3e}", value);
+  return fmt::format("{:>9} {:>7} {}", number, relative_error_text(relative_error),
+                     converged ? ' ' : '*');
+}
+
+std::string estimate_heading(const std::string& above, const std::string& value) {
+  std::string out;
+  if (!above.empty())
+    for (const std::string& line : wrapped(above, cell_width))
+      out += line + std::string(cell_width - letters(line), ' ') + '\n';
+  return out + fmt::format("{:>9} {:>7}  ", value, "error");
+}
+
+std::string legend(const std::vector<std::int32_t>& all_flags, const std::string& of,
+                   std::size_t width) {
   std::string out;
   for (const auto& meaning : tally::flag_meanings()) {
-    const auto count = std::count_if(rows.begin(), rows.end(), [&](const EchoRow& row) {
-      return (row.flags & meaning.flag) != 0;
-    });
+    const auto count = std::ranges::count_if(
+        all_flags, [&](std::int32_t flags) { return (flags & meaning.flag) != 0; });
     if (count > 0)
-      out += paragraph(fmt::format("  {}, {} gate{}: {}", meaning.name, count,
+      out += paragraph(fmt::format("  {}, {} {}{}: {}", meaning.name, count, of,
                                    count == 1 ? "" : "s", meaning.explanation),
                        width, 4);
   }
   return out.empty() ? out : "* not converged, because\n" + out;
+}
+
+std::string legend(const std::vector<EchoRow>& rows, std::size_t width) {
+  std::vector<std::int32_t> flags;
+  for (const EchoRow& row : rows) flags.push_back(row.flags);
+  return legend(flags, "gate", width);
 }
 
 std::string paragraph(const std::string& text, std::size_t width, std::size_t indent) {

@@ -29,7 +29,21 @@ TextColumn place_column(const tally::Result& result, const EchoRow& first, std::
 /// Narrower lines than this are not made.
 inline constexpr std::size_t min_width = 40;
 
-/// Each reason why gates have not converged, with the number of gates it concerns.
+/// Two digits of a percentage, as many as an error deserves; "-" of what is not a number.
+std::string relative_error_text(double relative_error);
+
+/// An estimate, its error over itself, and '*' where it has not converged: `cell_width` columns.
+inline constexpr std::size_t cell_width = 19;  // "1.235e-08 > 999 % *"
+std::string estimate_cell(double value, double relative_error, bool converged);
+
+/// The heading of such a column: a text, which may be empty, above "echo   error" or another word.
+std::string estimate_heading(const std::string& above, const std::string& value);
+
+/// Each reason why some have not converged, with the number of them that it concerns; of: what each
+/// is called, "gate".
+std::string legend(const std::vector<std::int32_t>& flags, const std::string& of,
+                   std::size_t width);
+/// The same of gates.
 std::string legend(const std::vector<EchoRow>& rows, std::size_t width);
 
 /// A text in lines of at most `width` letters, each with its newline; all but the first are set

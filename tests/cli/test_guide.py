@@ -11,11 +11,12 @@ SECTIONS = {
     "`[source]`": ["source"],
     "`[[telescope]]`": ["telescope"],
     "`[[channel]]`": ["channel"],
+    "`[[tally]]`": ["tally"],
     "`[optics]`": ["optics"],
     "`[sea]` and `[[sea.layer]]`": ["sea", "sea.layer", "sea.layer.iop", "sea.surface"],
     "`[bottom]`": ["bottom"],
     "`[oil]`": ["oil"],
-    "`[atmosphere]`": ["atmosphere", "atmosphere.layer", "atmosphere.layer.iop"],
+    "`[atmosphere]`": ["atmosphere", "atmosphere.layer", "atmosphere.layer.iop", "atmosphere.surface"],
     "`[gates]`": ["gates"],
     "`[simulation]`": ["simulation"],
     "`[simulation.tools]`": ["simulation.tools", "simulation.tools.importance"],
@@ -59,7 +60,7 @@ def properties_under(schema, heading, header="key"):
     paths = [named[1]] if named else SECTIONS[heading]
     found = {f"{path}.{key}": value for path in paths for key, value in properties_of(schema, path).items()}
     sections = {path for paths in SECTIONS.values() for path in paths} - {"sea.layer.iop", "sea.surface", "atmosphere.layer.iop"}
-    sections -= {"simulation.tools.importance"}
+    sections -= {"simulation.tools.importance", "atmosphere.surface"}
     return {path.split(".")[-1]: value for path, value in found.items() if path not in sections}
 
 
@@ -85,7 +86,7 @@ def tables_of_keys(body):
 def literal(text):
     """The value that a default in the guide stands for; None if it is given in words."""
     text = text.strip().strip("`")
-    if re.fullmatch(r'"[^"]*"|true|false', text) or re.fullmatch(r"-?[0-9.]+(e-?[0-9]+)?", text):
+    if re.fullmatch(r'"[^"]*"|true|false|\[[0-9, ]+\]', text) or re.fullmatch(r"-?[0-9.]+(e-?[0-9]+)?", text):
         return json.loads(text)
     return None
 

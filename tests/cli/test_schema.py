@@ -58,6 +58,10 @@ GOOD = {
         "[gates]",
         "[atmosphere]\nprofile = { z_km = [0, 9], p_hpa = [1000, 300], t_k = [290, 230] }\ntop_km = 9\n[gates]"),
     "air of an optical depth": ("[gates]", '[atmosphere]\nprofile = "us-standard"\naerosol_optical_depth_550 = 0.2\n[gates]'),
+    "a strength": ("[source]", "[source]\nenergy_j = 0.1"),
+    "a tally beside a telescope": ("[gates]", '[[tally]]\nkind = "irradiance"\nheight_m = [0]\ndepth_m = [1, 2]\n[gates]'),
+    "a tally of boundaries": ("[gates]", '[[tally]]\nkind = "boundaries"\nzenith_deg = [0, 45, 90]\n[gates]'),
+    "facets": ("[gates]", '[sea.surface]\nmodel = "cox-munk"\nwind_speed_m_s = 5\nfacets = "reciprocal"\n[gates]'),
     "a focus": ("detector_shift_m = 0.0", "focus_m = 12.0"),
     "no shift": ("detector_shift_m = 0.0", ""),
     "layers of air": (
@@ -74,7 +78,21 @@ FAULTY = {
     "angle too wide": ("half_divergence_mrad = 5.0", "half_divergence_mrad = 1571"),
     "vector of two": ("position_m = [0.0, 0.0, 12.0]", "position_m = [0.0, 12.0]"),
     "unknown choice": ('process = "elastic"', 'process = "ELASTIC"'),
-    "choice of later": ('[source]', '[source]\nkind = "beam"'),
+    "keys of a laser": ("[source]", '[source]\nkind = "cone"\nhalf_angle_deg = 5'),
+    "sun below the horizon": (
+        'position_m = [0.0, 0.0, 12.0]\ndirection = [0.0, 0.0, -1.0]\ndiameter_m = 0.04\nhalf_divergence_mrad = 5.0',
+        'kind = "beam"\nzenith_deg = 90'),
+    "two strengths": ("[source]", "[source]\nenergy_j = 0.1\nphotons_per_pulse = 1e15"),
+    "strength of another kind": ("[source]", "[source]\npower_w = 1"),
+    "levels of no tally": ("[gates]", "[[tally]]\ndepth_m = [1]\n[gates]"),
+    "one level without a list": ("[gates]", '[[tally]]\nkind = "irradiance"\ndepth_m = 1\n[gates]'),
+    "no level": ("[gates]", '[[tally]]\nkind = "irradiance"\n[gates]'),
+    "fluence by depth and height": (
+        "[gates]", '[[tally]]\nkind = "fluence"\ndepth_m = [1, 2]\nheight_m = [1, 2]\nx_m = [0, 1]\n[gates]'),
+    "direction of three angles": (
+        "[gates]", '[[tally]]\nkind = "radiance"\ndepth_m = [1]\ndirection_deg = [[0, 0, 0]]\n[gates]'),
+    "ground in place of a sea that is there": (
+        "[gates]", '[atmosphere]\nprofile = "us-standard"\nsurface = { albedo = 0.1 }\n[gates]'),
     "unknown word": (
         "chlorophyll_mg_m3 = 0.1",
         'iop = [{ wavelength_nm = 532, a_per_m = 1, b_per_m = 1 }]\nphase_function = "petzhold"',

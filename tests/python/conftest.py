@@ -33,6 +33,18 @@ def sample_with_parameters(tmp_path_factory):
     return made(tmp_path_factory.mktemp("sample") / "sample.nc", "bloom", "--", *parameters)
 
 
+@pytest.fixture(scope="session")
+def sample_with_tallies(tmp_path_factory):
+    """The same with quantities beside echoes (tests/unit/io/sample_tallies.cpp)."""
+    return made(tmp_path_factory.mktemp("sample") / "sample.nc", "--tallies")
+
+
+@pytest.fixture(scope="session")
+def sample_of_tallies(tmp_path_factory):
+    """These alone, without telescopes."""
+    return made(tmp_path_factory.mktemp("sample") / "sun.nc", "--tallies-alone")
+
+
 @pytest.fixture
 def command(capsys):
     """`python3 -m photic` in this process, which need not begin anew: its exit code, and what it says.

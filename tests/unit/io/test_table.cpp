@@ -72,8 +72,8 @@ telescope ship
         4.50           0       - *
 
 * not converged, because
-  no_score, 1 gate: no light was ever scored in the gate
-  large_error, 2 gates: the standard error, with all that may be unseen, is above 10 % of the echo
+  no_score, 1 gate: no light was ever scored there
+  large_error, 2 gates: the standard error, with all that may be unseen, is above 10 % of the value
   heavy_tail, 1 gate: scores too rare to have been seen may add up to more than the error
 
 converged: raman 2 of 5 gates
