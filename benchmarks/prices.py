@@ -26,7 +26,7 @@ from scipy.optimize import linprog
 
 sys.dont_write_bytecode = True
 
-from measure.program import ROOT, find_program  # noqa: E402
+from measure.program import ROOT, echo_scenes, find_program  # noqa: E402
 
 HEADER = ROOT / "src/run/prices.hpp"
 OPERATIONS = ["photons", "collisions", "scores", "local_estimates", "facets", "vertex_pairs", "ray_pairs", "meetings",
@@ -84,7 +84,7 @@ def row_of(result, instructions, environments):
 
 
 def count(program, only, output):
-    scenes = only or sorted(path.stem for path in (ROOT / "scenes").glob("*.toml"))
+    scenes = only or echo_scenes()
     jobs = [(scene, way, 0) for scene in scenes for way in WAYS]
     jobs += [(scene, way, WITH_ENVIRONMENTS[scene]) for scene in scenes if scene in WITH_ENVIRONMENTS
              for way in ("forward", "bidirectional", "bidirectional, free walks")]

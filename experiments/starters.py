@@ -27,7 +27,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "benchmarks"))
 from measure import marked, pages, readme  # noqa: E402
-from measure.program import ROOT, Runner, find_program  # noqa: E402
+from measure.program import ROOT, Runner, echo_scenes, find_program  # noqa: E402
 from measure.stamp import stamp  # noqa: E402
 
 NO_TARGET = 0.1
@@ -84,11 +84,6 @@ class Run:
         """Gates that no number of photons brings to the target."""
         return [(channel.place, gate) for channel in self.channels for gate in channel.left
                 if gate.known and not MENDED.issuperset(gate.flags)]
-
-
-def kinds():
-    listed = subprocess.run([find_program(), "new", "--list"], capture_output=True, text=True, check=True).stdout
-    return [line.split(":")[0] for line in listed.splitlines()]
 
 
 def target_of(scene):
@@ -224,7 +219,7 @@ def main():
         if getattr(asked, option):
             more += [f"--{option.replace('_', '-')}", getattr(asked, option)]
     runs = []
-    for kind in asked.kind or kinds():
+    for kind in asked.kind or echo_scenes():
         runs.append(run(kind, more))
         report(runs[-1])
     if asked.write:

@@ -6,7 +6,7 @@ import tomllib
 from collections import Counter
 
 from measure.kinds import Measurement, Row, number
-from measure.program import ROOT
+from measure.program import ROOT, echo_scenes
 
 YARDSTICK = "benchmark-peaked"  # to 2 % in every gate to 40 m: its CPU time is R
 TARGET = 0.02
@@ -19,10 +19,6 @@ CHANGED = {  # instruments that are hard in other ways: a scene, and what is set
         "spaceborne", "telescope.0.half_field_of_view_mrad=2.5", "source.half_divergence_mrad=0.125",
     ),
 }
-
-
-def scenes():
-    return sorted(path.stem for path in (ROOT / "scenes").glob("*.toml"))
 
 
 def words(name):
@@ -55,7 +51,7 @@ def measure_costs(runner, chosen=None):
 
     yardsticks, costs = [], {}
     for seed in runner.seeds(SEEDS):
-        for scene in chosen or (*scenes(), *CHANGED):
+        for scene in chosen or (*echo_scenes(), *CHANGED):
             yardsticks.append(run(YARDSTICK, seed, "--max-time", "10min"))
             limit = LIMIT * statistics.median(one["cpu_s"] for one in yardsticks)
             costs.setdefault(scene, []).append(run(scene, seed, "--max-time", f"{limit:.0f}s"))
@@ -90,7 +86,7 @@ def rows_costs(raw):
 
 def measure_first_runs(runner, chosen=None):
     out = {}
-    for scene in chosen or scenes():
+    for scene in chosen or echo_scenes():
         file = f"scenes/{scene}.toml"
         simulation = tomllib.loads((ROOT / file).read_text())["simulation"]
         result = runner.timed("run", file, "--threads", 2, *runner.choose((), ("--max-time", "1s")))

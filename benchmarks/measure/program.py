@@ -12,6 +12,13 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+
+
+def echo_scenes():
+    """The scenes that `photic new` writes and that have echoes."""
+    return sorted(path.stem for path in (ROOT / "scenes").glob("*.toml") if "[[telescope]]" in path.read_text())
+
+
 LEAST = {"forward": 240_000, "bidirectional": 60_000}  # thirty batches: with fewer no gate counts as converged
 
 
