@@ -38,9 +38,14 @@ def reason_against(folder: str, mark: str, header: str) -> str | None:
     return None
 
 
+def beside_estimators(folder: list[str]) -> list[str]:
+    """A folder of tallies counts as the one that it is in: all estimators stand on them."""
+    return folder[:1] if folder[:2] == ["estimator", "tallies"] else folder
+
+
 def reason_against_estimator(folder: str, header: str) -> str | None:
     """The same of estimators: `folder`, of a file under src/, and the header's are estimator or estimator/NAME."""
-    own, other = folder.split("/"), header.split("/")[:-1]
+    own, other = beside_estimators(folder.split("/")), beside_estimators(header.split("/")[:-1])
     if own[0] != "estimator" or other[:1] != ["estimator"] or len(other) < 2 or own == other:
         return None
     if other[1] == "variations" and len(own) > 1:  # environments and derivatives: below the estimators

@@ -29,6 +29,8 @@ PLANTED = {
     ("src/estimator/analog/x.hpp", '#include "estimator/forward/history.hpp"'): "analog must not include estimator/forward",
     ("src/estimator/x.hpp", '#include "estimator/analog/analog.hpp"'):
         "what all estimators stand on must not include estimator/analog",
+    ("src/estimator/tallies/x.hpp", '#include "estimator/forward/history.hpp"'):
+        "what all estimators stand on must not include estimator/forward",
     ("apps/photic/x.cpp", '#include "output.hpp"'): '"output.hpp" is in no floor of src/',
 }
 

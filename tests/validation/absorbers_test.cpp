@@ -65,7 +65,8 @@ void expect_the_sun(const tally::Result& r, const std::vector<double>& depths) {
 }
 
 // The sun at 60 degrees over two layers: levels at the surface, on the edge and at the bed, too.
-// Seen red: without the factor cos of the sun; with slabs that are not cut at layers' edges.
+// Seen red: without the factor cos of the sun; with slabs that are not cut at layers' edges; with
+// the weight that flights begin with at every level.
 TEST(Absorbers, UnderTheSun) {
   const std::vector<double> depths{0, 0.5, 1, 2, 3};
   const auto scene =

@@ -17,6 +17,10 @@
 namespace photic::test {
 namespace {
 
+const std::vector<std::string>& constituents_in(const tally::Result& r) {
+  return tally_named(r, "absorbed").grid.dimensions.at(1).coordinates.front().labels;
+}
+
 const std::string forward_peaked = R"({ model = "henyey-greenstein", g = 0.8 })";
 
 // d(E_d - E_u) / d(depth) = -a E_0 (Gershun 1939): what goes through the upper level of a slab and
@@ -61,6 +65,43 @@ TEST(NetIrradiance, FallsByWhatIsAbsorbed) {
   family.judge();
 }
 
+// The net irradiance is the same on both sides of the surface, flat or rough, and what it loses
+// between levels of the air is absorbed there. False alarms: one in a hundred.
+TEST(NetIrradiance, PassesTheSurface) {
+  const double sun = std::cos(50 * radian_per_degree);
+  ZFamily family(0.01);
+  for (const std::string& surface : {std::string(), wavy}) {
+    const auto r = run_in_lanes(read(
+        sun_at(50) + tally_of("irradiance", {{0}, {0, 1, 2}}) + tally_of("boundaries") + two_airs +
+        two_layers_and_bed(surface) + simulation(2e5 * static_cast<double>(seeds_of_tests()), 33)));
+    const auto net = [&](std::size_t level) {
+      const Known down = known(r, "irradiance_down", level), up = known(r, "irradiance_up", level);
+      return Known{down.value - up.value, std::hypot(down.error, up.error)};
+    };
+    const auto add = [&](double one, double other, double error, const std::string& what) {
+      std::printf("%s: %.5f, %.5f +- %.5f\n", what.c_str(), one, other, error);
+      family.add(one, other, error, what);
+    };
+    const Known top = net(0), middle = net(1), above = net(2), below = net(3);
+    add(above.value, below.value, std::hypot(above.error, below.error), "surface");
+    const auto& names = tally_named(r, "absorbed").grid.dimensions.at(0).coordinates[0].labels;
+    const auto absorbed = [&](const std::string& layer) {
+      const auto found = std::ranges::find(names, layer);
+      const Known cell =
+          known(r, "absorbed",
+                static_cast<std::size_t>(found - names.begin()) * constituents_in(r).size());
+      return Known{sun * cell.value, sun * cell.error};
+    };
+    const Known upper = absorbed("air1"), lower = absorbed("air0");
+    add(top.value - middle.value, upper.value, std::hypot(top.error, middle.error, upper.error),
+        "upper air");
+    add(middle.value - above.value, lower.value, std::hypot(middle.error, above.error, lower.error),
+        "lower air");
+    EXPECT_LT(below.error, 5e-3);
+  }
+  family.judge();
+}
+
 // What a constituent of known absorption absorbs is that times E_0: 0.5 and 0.2 per m of CDOM at
 // 440 nm, beside water and phytoplankton, in layers that the slabs of E_0 fill. False alarms: one
 // in a hundred. Seen red: with the shares of the last layer's and the first one's constituents
@@ -72,8 +113,7 @@ TEST(NetIrradiance, IsAbsorbedByConstituents) {
            "[[sea.layer]]\nbottom_depth_m = 1\nchlorophyll_mg_m3 = 2\ncdom_a440_per_m = 0.5\n"
            "[[sea.layer]]\nbottom_depth_m = 2\ncdom_a440_per_m = 0.2\n" +
            simulation(2e5, 32)));
-  const auto& grid = tally_named(r, "absorbed").grid;
-  const std::vector<std::string> constituents = grid.dimensions.at(1).coordinates.front().labels;
+  const auto& constituents = constituents_in(r);
   const auto cdom =
       static_cast<std::size_t>(std::ranges::find(constituents, "CDOM") - constituents.begin());
   ZFamily family(0.01);

@@ -28,7 +28,7 @@ Known reflected_by(const tally::Result& r) {
 
 // van de Hulst 1980, Multiple Light Scattering, vol. 2, table 35: optical thickness 2, albedo 0.9,
 // g = 0.75, normal incidence, no refraction: R = 0.09739, T = 0.66096. By both engines. False
-// alarms: one in a hundred.
+// alarms: one in a hundred. Seen red: without absorption along flights.
 TEST(RadiativeSlabs, VanDeHulst) {
   const auto scene = read(slab_under(
       0, "1.0", layer_to(2, 0.1, 0.9, R"({ model = "henyey-greenstein", g = 0.75 })"), 5e5));

@@ -15,7 +15,7 @@
 namespace photic::test {
 namespace {
 
-constexpr double index = 1.34;
+constexpr double sea_index = 1.34;
 
 /// Slopes along the wind, which comes from +y, and across it.
 tally::Result under_the_sun(double zenith_deg, double upwind, double crosswind, double photons,
@@ -26,7 +26,7 @@ tally::Result under_the_sun(double zenith_deg, double upwind, double crosswind, 
            fmt::format("[sea]\nrefractive_index = {}\nsurface = {{ model = \"gaussian\", "
                        "upwind_slope_variance = {}, crosswind_slope_variance = {}, "
                        "wind_direction_deg = 90.0 }}\n",
-                       index, upwind, crosswind) +
+                       sea_index, upwind, crosswind) +
            layer_to(10, 1e3, 0) + simulation(photons * static_cast<double>(seeds_of_tests()), 51)));
 }
 /// Of Cox & Munk 1954, along and across: 0.003 + 0.00512 W in all.
@@ -38,7 +38,7 @@ double variance(double wind) { return (0.003 + 0.00512 * wind) / 2; }
 TEST(RoughSea, ReflectsTheSun) {
   ZFamily family(0.01);
   for (const double wind : {2.0, 5.0, 12.0}) {
-    RoughReflection facets(variance(wind), variance(wind), index);
+    RoughReflection facets(variance(wind), variance(wind), sea_index);
     for (const double zenith_deg : {0.0, 30.0, 60.0, 75.0}) {
       const auto r = under_the_sun(zenith_deg, variance(wind), variance(wind), 1e5);
       const Known reflected = known(r, "reflected_by_surface");
@@ -64,7 +64,7 @@ TEST(RoughSea, ReflectsTheSun) {
 TEST(RoughSea, ReflectsTheSunByTheWind) {
   constexpr double along = 0.02, across = 0.005, zenith_deg = 30;
   const std::vector<double> edges{0, 15, 25, 35, 45, 60, 90};
-  const RoughReflection facets(across, along, index);
+  const RoughReflection facets(across, along, sea_index);
   ZFamily family(0.01);
   for (const double azimuth_deg : {0.0, 90.0}) {
     const auto r =
@@ -92,7 +92,7 @@ TEST(RoughSea, ReflectsTheSunByTheWind) {
 TEST(RoughSea, OfHardlyAnySlopeIsFlat) {
   for (const double zenith_deg : {0.0, 60.0, 75.0}) {
     const auto r = under_the_sun(zenith_deg, 1e-6, 1e-6, 2e4);
-    const double flat = refracted(std::cos(zenith_deg * radian_per_degree), index).first;
+    const double flat = refracted(std::cos(zenith_deg * radian_per_degree), sea_index).first;
     EXPECT_NEAR(known(r, "reflected_by_surface").value, flat, 1e-3 * flat) << zenith_deg;
   }
 }

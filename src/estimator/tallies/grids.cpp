@@ -133,8 +133,7 @@ class Grids {
           .in_balance = true;
     if (medium_.film.exists)
       add_share("absorbed_by_film", "light absorbed by the film of oil", "1", {}).in_balance = true;
-    add_share("balance", "all light that is absorbed or escapes", "1", {})
-        .is_balance = true;
+    add_share("balance", "all light that is absorbed or escapes", "1", {}).is_balance = true;
   }
 
   void add_fluence(const scene::Tally& tally) {
