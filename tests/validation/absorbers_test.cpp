@@ -163,6 +163,46 @@ TEST(Absorbers, OverAGround) {
   expect_known(known(r, "balance"), 1, "balance");
 }
 
+// Radiance of a bed of albedo 0.5, all of the same reflected light: up at depths, down by way of
+// the surface's mirror, partly and in total reflection, and in the air. Seen red: by way of the
+// surface with the attenuation on the way up to it alone.
+TEST(Absorbers, OverABedAndUnderAMirror) {
+  const double steep = 30, flat = 60,
+               into_air = std::asin(index_of_water * 0.5) / radian_per_degree;
+  const auto r = run_in_lanes(read(
+      sun_at(60) + tally_of("irradiance", {{Water::bed_m}}) +
+      tally_of("radiance", {{0.7, 1.6}, {0}},
+               fmt::format("direction_deg = [[{0}, 0], [{1}, 0], [{2}, 0], [{3}, 0], [{4}, 0]]",
+                           steep, flat, 180 - steep, 180 - flat, into_air)) +
+      Water::scene(index_of_water) + "[bottom]\nalbedo = 0.5\n" + simulation(2e5, 10)));
+  const double bed_depth = Water::optical_depth(Water::bed_m);
+  const double bed =
+      known(r, "radiance", 1).value *
+      std::exp((bed_depth - Water::optical_depth(0.7)) / std::cos(steep * radian_per_degree));
+  const Known upwards = known(r, "irradiance_up");
+  EXPECT_NEAR(pi * bed, upwards.value, 3 * upwards.error);
+  EXPECT_LT(upwards.error, 0.01 * upwards.value);
+  const auto expect = [&](std::size_t direction, std::size_t level, double expected) {
+    const double value = known(r, "radiance", 3 * direction + level).value;
+    EXPECT_NEAR(value, expected, 1e-4 * expected) << "direction " << direction << ", " << level;
+  };
+  const auto [reflectance, above] =
+      refracted(std::cos(into_air * radian_per_degree), index_of_water);
+  EXPECT_NEAR(above, std::cos(steep * radian_per_degree), 1e-9);
+  for (const std::size_t level : {1U, 2U}) {
+    const double depth = Water::optical_depth(level == 1 ? 0.7 : 1.6);
+    for (const std::size_t i : {0U, 1U}) {
+      const double cosine = std::cos((i == 0 ? steep : flat) * radian_per_degree);
+      expect(i, level, bed * std::exp(-(bed_depth - depth) / cosine));
+      expect(2 + i, level,
+             (i == 0 ? reflectance : 1) * bed * std::exp(-(bed_depth + depth) / cosine));
+    }
+  }
+  expect(
+      4, 0,
+      (1 - reflectance) / (index_of_water * index_of_water) * bed * std::exp(-bed_depth / above));
+}
+
 // A level that a lamp stands on counts its light down and not that up, whatever floats round off.
 // Seen red: in floats at 1.1 m, where light began just below the level; with levels that count at
 // both ends of flights.
