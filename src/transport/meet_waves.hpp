@@ -56,6 +56,14 @@ Vec3<T> up_from_whitecap(const WavesUniforms<T>& u) {
   const auto [cosine, sine] = cos_sin_of_turns(u.azimuth);
   return turned(Vec3<T>{T(0), T(0), T(1)}, surface::lambert_one_minus_cos(u.slope), cosine, sine);
 }
+/// The share of its weight that light carries between two facets (docs/theory.md, section 14):
+/// without it the sum over the facets that it meets has no mean.
+template <class T>
+T share_between_facets(const surface::WavesView& waves, const Vec3<T>& direction) {
+  if (waves.conserving) return T(1) / surface::mean_visibility(waves, direction);
+  return T(1) / (T(1) + surface::smith(waves, direction));
+}
+
 /// A facet that light meets, and how densely it is met over how it is drawn: 0 where it cannot be.
 template <class T>
 struct FacetMet {
@@ -63,8 +71,7 @@ struct FacetMet {
   T seen{};  ///< its visibility
   T gain{};
 };
-/// `conserved`: the weight is over its mean, so that no light is gained (world.md A2, option b;
-/// Smith 1967, as surface::smith()).
+/// `conserved`: the weight is over its mean, so that no light is gained.
 template <class T>
 FacetMet<T> facet_met(const surface::WavesView& waves, const Vec3<T>& direction, const T& u1,
                       const T& u2, bool conserved = false) {
@@ -72,7 +79,7 @@ FacetMet<T> facet_met(const surface::WavesView& waves, const Vec3<T>& direction,
   met.facet = surface::facet_of(waves, surface::sample_slope(waves, u1, u2));
   met.seen = surface::visibility(direction, met.facet);
   met.gain = select(met.seen > T(0), met.seen, T(0)) * surface::series(waves, met.facet.slope);
-  if (conserved) met.gain = met.gain / (T(1) + surface::smith(waves, direction));
+  if (conserved) met.gain = met.gain / surface::mean_visibility(waves, direction);
   return met;
 }
 template <class T>
@@ -142,8 +149,7 @@ AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& pho
 
   at.outside = !goes_down;
   at.meets = at.meets & !(met.in_water | met.left);
-  const T between =
-      select(at.meets, T(1) / (T(1) + surface::smith(surface.waves, direction)), T(1));
+  const T between = select(at.meets, share_between_facets(surface.waves, direction), T(1));
   met.gained = met.gained + photon.weight * (between - T(1));
   met.meeting = {
       facet.slope, select(meets_white, T(1), T(0)), select(at.meets, direction, Vec3<T>{}), {}};

@@ -44,12 +44,14 @@ void add_cells(ZFamily& family, const tally::Result& expected, const tally::Resu
 // photons.
 TEST_P(TalliesByChance, AreWhatIsExpected) {
   const LitWorld& world = GetParam();
-  ZFamily family(0.01 / static_cast<double>(lit_worlds().size()));
+  const double level = 0.01 / static_cast<double>(lit_worlds().size());
+  ZFamily family(level);
   const std::uint64_t seeds = seeds_of_tests();
   for (std::uint64_t seed = 41; seed < 41 + seeds; ++seed)
     add_cells(family, run_in_lanes(read(world.scene + simulation(5e4, seed, "", "forward"))),
               run_in_lanes(read(world.scene + simulation(1e5, seed + 1000, "", "analog"))));
-  std::printf("%s: %zu cells, rms z %.2f\n", world.name.c_str(), family.size(), family.rms());
+  std::printf("%s: %zu cells, rms z %.2f, largest %.2f of %.2f\n", world.name.c_str(),
+              family.size(), family.rms(), family.largest(), family_wise_z(level, family.size()));
   EXPECT_GE(family.size(), 15 * seeds);
   family.judge();
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
@@ -62,6 +63,12 @@ class ZFamily {
     double sum = 0;
     for (const double z : z_) sum += z * z;
     return std::sqrt(sum / static_cast<double>(z_.size()));
+  }
+  /// The largest |z|.
+  [[nodiscard]] double largest() const {
+    double out = 0;
+    for (const double z : z_) out = std::max(out, std::abs(z));
+    return out;
   }
 
  private:

@@ -69,7 +69,7 @@ AfterOilyFacet<T> facet_by_chance(const medium::MediumView& sea, const RandomPla
   at.outside = up;
   at.meets = meets & (up | down) & !(met.in_water | met.left);
   const T between =
-      select(at.meets, T(1) / (T(1) + surface::smith(sea.waves, photon.direction)), T(1));
+      select(at.meets, transport::share_between_facets(sea.waves, photon.direction), T(1));
   met.gained = met.gained + photon.weight * (between - T(1));
   photon.weight = photon.weight * between;
   return met;
