@@ -123,13 +123,23 @@ T smith_of(const T& spread, const T& cosine) {
       T(0.5) * exp_minus(a * a) * (T(1 / 1.7724538509055160273) / (a + tiny) - erfc_over_exp);
   return select(level & (value > T(0)), value, T(0));
 }
+/// The deviation of slopes along a direction, times its level part, and its parts along the wind
+/// and across it.
 template <class T>
-T smith(const WavesView& waves, const Vec3<T>& direction) {
-  using std::abs;
+struct SpreadAlong {
+  T up, aside, all;
+};
+template <class T>
+SpreadAlong<T> spread_along(const WavesView& waves, const Vec3<T>& direction) {
   using std::sqrt;
   const auto [along, across] = by_wind(waves, direction.x, direction.y);
   const T up = T(waves.upwind_deviation) * along, aside = T(waves.crosswind_deviation) * across;
-  return smith_of(T(sqrt(up * up + aside * aside)), T(abs(direction.z)));
+  return {up, aside, sqrt(up * up + aside * aside)};
+}
+template <class T>
+T smith(const WavesView& waves, const Vec3<T>& direction) {
+  using std::abs;
+  return smith_of(spread_along(waves, direction).all, T(abs(direction.z)));
 }
 
 /// The mean visibility of the facets that light of a direction meets: 1 + Smith's function, and
@@ -138,10 +148,7 @@ T smith(const WavesView& waves, const Vec3<T>& direction) {
 template <class T>
 T mean_visibility(const WavesView& waves, const Vec3<T>& direction) {
   using std::abs;
-  using std::sqrt;
-  const auto [along, across] = by_wind(waves, direction.x, direction.y);
-  const T up = T(waves.upwind_deviation) * along, aside = T(waves.crosswind_deviation) * across;
-  const T spread = sqrt(up * up + aside * aside);
+  const auto [up, aside, spread] = spread_along(waves, direction);
   const T mean = T(1) + smith_of(spread, T(abs(direction.z)));
   if (waves.one_dimensional) return mean;
   // Slopes along the light's level direction, over their deviation: their third and fourth
