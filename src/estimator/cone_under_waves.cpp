@@ -99,7 +99,7 @@ double spot_radius(const scene::Telescope& telescope) {
 double spot_radius(const scene::Source& source) {
   const auto laser = instrument::make_laser<double>(source);
   if (!can_be_met(laser)) return 0;
-  return source.diameter_m / 2 + laser.ahead * std::tan(source.half_divergence_mrad * 1e-3);
+  return source.radius_of_all() + laser.ahead * std::tan(source.half_divergence_of_all());
 }
 
 /// Cosine to the vertical of an instrument's flattest ray in the water.
@@ -111,8 +111,21 @@ double flattest_steepness(const EntryCone<double>& flat, double half_angle,
   return std::sqrt(1 - sine * sine);
 }
 
+/// The angles of an instrument's rays to its axis [rad].
+struct Divergence {
+  double deviation;  ///< along each of two directions across the axis
+  double half_angle;
+};
+Divergence divergence_of(const scene::Telescope& telescope) {
+  return {half_view(telescope) / 2, half_view(telescope)};
+}
+/// That of an even cone is half its half angle; that of a Gaussian half the angle of 1/e2.
+Divergence divergence_of(const scene::Source& source) {
+  return {source.half_divergence() / 2, source.half_divergence_of_all()};
+}
+
 /// `flat`: of the same instrument over a flat surface.
-EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, bool by_slopes,
+EntryCone<double> under_waves(const EntryCone<double>& flat, const Divergence& rays, bool by_slopes,
                               const medium::Medium& medium, double deepest, bool frees) {
   const auto sea = medium.view();
   EntryCone<double> cone = flat;
@@ -127,10 +140,11 @@ EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, 
   cone.enters_by_slopes = by_slopes;
   cone.by_depth = frees && by_slopes;
   cone.about_rays = !cone.by_depth;
-  const double steep = cone.about_rays ? flattest_steepness(flat, half_angle, medium) : flat.steep;
+  const double steep =
+      cone.about_rays ? flattest_steepness(flat, rays.half_angle, medium) : flat.steep;
   const auto [of_facets, of_rays, slope] = turning_at(steep, medium);
   const double deviation =
-      std::hypot(of_facets * slope, cone.about_rays ? 0 : of_rays * half_angle / 2);
+      std::hypot(of_facets * slope, cone.about_rays ? 0 : of_rays * rays.deviation);
   const double axis_angle = std::acos(steep);
   const double most = pi / 2 - above_horizon - axis_angle;
   const Vec3<double> down = cone.outside.z < 0 ? cone.outside : Vec3<double>{0, 0, -1};
@@ -194,12 +208,12 @@ bool enters_by_slopes(const scene::Source& source, const medium::Medium& medium)
 
 EntryCone<double> cone_under_waves(const scene::Telescope& telescope, const medium::Medium& medium,
                                    double deepest, bool frees) {
-  return under_waves(entry_cone(telescope, medium, deepest), half_view(telescope),
+  return under_waves(entry_cone(telescope, medium, deepest), divergence_of(telescope),
                      enters_by_slopes(telescope, medium), medium, deepest, frees);
 }
 EntryCone<double> cone_under_waves(const scene::Source& source, const medium::Medium& medium,
                                    double deepest, bool frees) {
-  return under_waves(entry_cone(source, medium, deepest), source.half_divergence_mrad * 1e-3,
+  return under_waves(entry_cone(source, medium, deepest), divergence_of(source),
                      enters_by_slopes(source, medium), medium, deepest, frees);
 }
 

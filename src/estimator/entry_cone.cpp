@@ -1,6 +1,7 @@
 #include "estimator/entry_cone.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -174,8 +175,27 @@ Rays rays_of(const scene::Telescope& telescope, const medium::Medium& medium) {
           medium.line.size(), !geometry::stands_in_water(telescope.position_m)};
 }
 Rays rays_of(const scene::Source& source) {
-  return {source.position_m, normalised(source.direction), source.half_divergence_mrad * 1e-3, 1,
+  return {source.position_m, normalised(source.direction), source.half_divergence_of_all(), 1,
           !geometry::stands_in_water(source.position_m)};
+}
+
+/// The narrower cones in which a share of the laser's walks begins: together they follow a
+/// Gaussian, but for a share that is even to the rim, so that its wings have walks, too.
+std::vector<InnerCone> beam_cones(const scene::Source& source) {
+  std::vector<InnerCone> inner;
+  if (source.profile == scene::SourceProfile::disc) return inner;
+  constexpr double even_share = 0.1;
+  constexpr std::array rims{0.5, 0.75, 1.0, 1.25, 1.6, 2.0, 2.5, scene::gaussian_cut};
+  const auto decay = [](double rim) { return 2 * rim * rim; };
+  // Of the ring within a rim, by decay.
+  const auto density = [&](std::size_t k) {
+    const double from = k == 0 ? 0 : decay(rims.at(k - 1)), to = decay(rims.at(k));
+    return (std::exp(-from) - std::exp(-to)) / (to - from);
+  };
+  for (std::size_t k = 0; k + 1 < rims.size(); ++k)
+    inner.push_back({rims.at(k) * source.half_divergence(),
+                     (1 - even_share) * decay(rims.at(k)) * (density(k) - density(k + 1))});
+  return inner;
 }
 
 /// The way to where paths of an instrument above air begin; 0 for all others.
@@ -212,7 +232,7 @@ EntryCone<double> cone_of_own_rays(const scene::Telescope& telescope, const medi
   return cone;
 }
 EntryCone<double> cone_of_own_rays(const scene::Source& source, const medium::Medium& medium) {
-  return own_rays(rays_of(source), medium, {});
+  return own_rays(rays_of(source), medium, beam_cones(source));
 }
 
 EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Medium& medium,
@@ -242,7 +262,7 @@ EntryCone<double> entry_cone(const scene::Source& source, const medium::Medium& 
   const auto laser = instrument::make_laser<double>(source);
   const Rays rays = rays_of(source);
   auto cone = cone_of(rays, medium);
-  set_rings(rays, {}, medium, cone);
+  set_rings(rays, beam_cones(source), medium, cone);
   Rays from_vertex = rays;
   from_vertex.position = fictitious_vertex(laser);
   if (rays.outside && geometry::stands_in_water(from_vertex.position))

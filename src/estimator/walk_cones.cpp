@@ -32,8 +32,7 @@ double half_angle_of_light(const scene::Source& source, const scene::Telescope& 
   const auto to_spot = source.position_m + way * beam - telescope.position_m;
   const double distance = length(to_spot);
   const double radius =
-      (source.diameter_m / 2 + way * std::tan(source.half_divergence_mrad * 1e-3)) / -beam.z +
-      aside;
+      (source.radius_of_all() + way * std::tan(source.half_divergence_of_all())) / -beam.z + aside;
   return std::acos(std::min(1.0, dot(to_spot, axis) / distance)) + std::atan(radius / distance);
 }
 

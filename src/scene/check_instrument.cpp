@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
+#include "core/constants.hpp"
 #include "scene/checks.hpp"
 
 namespace photic::scene {
@@ -54,8 +56,24 @@ void remark_size(const std::string& path, double diameter_m, Findings& findings)
                                 plain_number(diameter_m)));
 }
 
+/// Wings of a Gaussian beam stay below a quarter turn, which the plane across the axis asks.
+void check_wings(const Source& source, Findings& findings) {
+  constexpr double widest_mrad = 500 * pi / gaussian_cut;
+  if (!findings.good({"source.half_divergence_mrad", "source.profile"}) ||
+      source.profile == SourceProfile::disc || source.half_divergence_mrad < widest_mrad)
+    return;
+  findings.add("source.half_divergence_mrad",
+               fmt::format("the wings of a Gaussian beam go out to {} times its half divergence, "
+                           "and {} mrad is a quarter turn or more",
+                           plain_number(gaussian_cut),
+                           plain_number(gaussian_cut * source.half_divergence_mrad)),
+               fmt::format("take at most {} mrad, or profile = \"disc\"",
+                           plain_number(std::floor(widest_mrad))));
+}
+
 void check_laser(const Scene& scene, Findings& findings) {
   const Source& source = scene.source;
+  check_wings(source, findings);
   remark_size("source.diameter_m", source.diameter_m, findings);
   check_height("source.position_m", "source", source.position_m.z, scene, findings);
   if (!findings.good({"source.position_m", "source.direction"}) || scene.is_of_air_alone()) return;

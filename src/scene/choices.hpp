@@ -37,6 +37,17 @@ constexpr auto alternatives(SourceKind) {
         "one place in the water or the air, uniformly into a cone, or to all sides"}});
 }
 
+/// The light of a laser by its angle to the axis.
+enum class SourceProfile : std::int8_t { disc, gaussian };
+constexpr auto alternatives(SourceProfile) {
+  using enum SourceProfile;
+  return std::to_array<Alternative<SourceProfile>>(
+      {{disc, "disc", "even within the disc and the cone"},
+       {gaussian, "gaussian",
+        "a Gaussian: the diameter and the half divergence are those at 1/e2 of its peak, and it is "
+        "cut off at three times these"}});
+}
+
 /// The quantities of radiative transfer that are tallied beside echoes.
 enum class TallyKind : std::int8_t { irradiance, boundaries, fluence, radiance };
 constexpr auto alternatives(TallyKind) {

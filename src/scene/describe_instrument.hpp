@@ -35,6 +35,8 @@ void describe_laser(V& v, Source& s) {
   v.required("half_divergence_mrad", s.half_divergence_mrad,
              Number{.low = 0.0, .high = quarter_turn_mrad, .high_open = true},
              "the angle between the axis and the edge of the beam in mrad");
+  v.optional("profile", s.profile, ChoiceOf<SourceProfile>{},
+             "the light by its angle to the axis, and by its place on the disc");
   v.one_of(option(!s.photons_per_pulse.has_value(),
                   [&](auto& w) {
                     w.optional("energy_j", s.energy_j, positive, "the energy of a pulse in J");

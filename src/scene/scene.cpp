@@ -66,6 +66,18 @@ double Source::half_divergence() const {
   return fills_cone() ? half_angle_deg * radian_per_degree : half_divergence_mrad * 1e-3;
 }
 
+double Source::half_divergence_of_all() const {
+  const double angle = half_divergence();
+  return profile == SourceProfile::gaussian ? gaussian_cut * angle : angle;
+}
+
+double Source::radius_of_all() const {
+  const double radius = diameter_m / 2, angle = half_divergence();
+  if (profile == SourceProfile::disc) return radius;
+  return angle == 0 ? gaussian_cut * radius
+                    : radius * (std::tan(half_divergence_of_all()) / std::tan(angle));
+}
+
 bool Gates::are_given() const { return depth_m || range_m || time_ns; }
 
 std::int64_t Gates::count() const {

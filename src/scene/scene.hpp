@@ -16,6 +16,9 @@
 
 namespace photic::scene {
 
+/// A Gaussian beam is cut off where it is so many times as wide as at 1/e2 of its peak.
+inline constexpr double gaussian_cut = 3;
+
 /// A source of light. A laser is a disc whose light leaves in a cone (paper, section "The model").
 struct Source {
   SourceKind kind = SourceKind::laser;
@@ -29,7 +32,8 @@ struct Source {
   double azimuth_deg = 0.0;          ///< the same, from +x to +y
   double diameter_m{};               ///< laser, beam with a place; 0: a pencil
   double half_divergence_mrad{};     ///< laser
-  double half_angle_deg{};           ///< cone
+  SourceProfile profile = SourceProfile::disc;  ///< laser; else a disc's
+  double half_angle_deg{};                      ///< cone
   // The strength: at most one, that of its kind.
   std::optional<double> energy_j, photons_per_pulse;  ///< laser
   std::optional<double> power_w;                      ///< cone, point, beam with a place
@@ -39,8 +43,12 @@ struct Source {
   [[nodiscard]] bool is_pulsed() const { return kind == SourceKind::laser; }
   /// Returns whether light leaves one place, in directions that fill a cone, however wide.
   [[nodiscard]] bool fills_cone() const { return kind == SourceKind::cone; }
-  /// The half angle of the cone that its light leaves in [rad].
+  /// The half angle of the cone that its light leaves in; of a Gaussian that of 1/e2 [rad].
   [[nodiscard]] double half_divergence() const;
+  /// The half angle that holds all of its light [rad].
+  [[nodiscard]] double half_divergence_of_all() const;
+  /// The radius of all of its light on the disc [m].
+  [[nodiscard]] double radius_of_all() const;
   friend bool operator==(const Source&, const Source&) = default;
 };
 

@@ -101,7 +101,7 @@ Node SchemaBuilder::take_in(SchemaBuilder group) {
 }
 
 void SchemaBuilder::choices(const char* selector, const std::string& by_default,
-                            std::vector<std::pair<std::string, SchemaBuilder>> groups) {
+                            std::vector<std::pair<std::string, SchemaBuilder>>&& groups) {
   std::set<std::string> all;
   for (const auto& [word, group] : groups)
     for (const std::string& key : group.keys()) all.insert(key);

@@ -166,7 +166,7 @@ class SchemaBuilder {
   void conditional(const char* selector, const std::vector<std::string>& choices,
                    const Names& keys);
   void choices(const char* selector, const std::string& by_default,
-               std::vector<std::pair<std::string, SchemaBuilder>> groups);
+               std::vector<std::pair<std::string, SchemaBuilder>>&& groups);
   void only_with(const char* owner, SchemaBuilder group);
   void only_without(const char* table, const char* key, SchemaBuilder group);
   void alternatives(const std::vector<Names>& groups);

@@ -143,7 +143,7 @@ T smith(const WavesView& waves, const Vec3<T>& direction) {
 }
 
 /// The mean visibility of the facets that light of a direction meets: 1 + Smith's function, and
-/// what Cox & Munk's series adds to that of a Gaussian (docs/theory.md, eq. 108). A share of 6e-4
+/// what Cox & Munk's series adds to that of a Gaussian (docs/theory.md, eq. 109). A share of 6e-4
 /// of the density at 15 m/s, where the series is below 0, is left out.
 template <class T>
 T mean_visibility(const WavesView& waves, const Vec3<T>& direction) {

@@ -21,11 +21,11 @@ Photon<T> emit(const instrument::Laser<T>& laser, const Index<T>& layer, const T
   const Vec3<T> outward = turned(laser.axis, T(1), cosine, sine);
   if (laser.collimated) {
     photon.direction = laser.axis;
-    photon.position = laser.start + (laser.radius * sqrt(u_polar)) * outward;
+    photon.position = laser.start + laser.draw_on_disc(u_polar) * outward;
     photon.path = T(0) - laser.to_sea;
     return photon;
   }
-  const T x = u_polar * laser.one_minus_cos_divergence;
+  const T x = laser.draw_direction(u_polar);
   const T off_axis = sqrt(x * (T(2) - x));
   if (laser.from_vertex) {
     photon.direction = (T(1) - x) * laser.axis + off_axis * outward;

@@ -94,11 +94,10 @@ Birth<T> birth_at_laser(const medium::MediumView& sea, const instrument::Laser<T
   auto birth = birth_in_water(sea, region, ray, laser.start + to_start * aside, to_start * secant,
                               Index<T>(0));
   const T x = T(0.5) * dot(ray.off_axis, ray.off_axis);
-  const Mask<T> emitted = cone.exact ? Mask<T>(true) : x < laser.one_minus_cos_divergence;
+  const Mask<T> emitted = cone.exact ? Mask<T>(true) : laser.emits(x);
   birth.own = birth.exists & ahead & emitted;
   birth.photon.path = birth.photon.path + (laser.ahead * (x * secant) - laser.to_sea);
-  birth.photon.weight =
-      birth.photon.weight * ray.solid_angle / (T(2 * pi) * laser.one_minus_cos_divergence);
+  birth.photon.weight = birth.photon.weight * ray.solid_angle / (T(2 * pi) * laser.even_within(x));
   if (!can_be_met(laser)) birth.spread.solid_angle = T(0);
   return birth;
 }

@@ -229,7 +229,7 @@ WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& f
     counted =
         longer_from_disc(laser, transport::seen_by_route(from, way.route), way.length_water, x);
   out.path = air + geometry::group_path(sea_, out.in_water, counted);
-  out.lit = mask & way.exists & (x < laser.one_minus_cos_divergence) & (length > T(0));
+  out.lit = mask & way.exists & laser.emits(x) & (length > T(0));
   if (!any(out.lit)) return out;
   const auto tau = geometry::optical_depths(sea_, out.in_water);
   const T solid_angle =
@@ -237,7 +237,7 @@ WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& f
   out.tau = tau.all;
   out.reach = cone.reach(Mask<T>(true), tau.walk, way.direction.z, on_bed(place));
   out.area = solid_angle * way.area_per_solid_angle / way.index_squared;
-  out.weight = way.throughput * solid_angle / (T(2 * pi) * laser.one_minus_cos_divergence);
+  out.weight = way.throughput * solid_angle / (T(2 * pi) * laser.even_within(x));
   return out;
 }
 

@@ -68,10 +68,9 @@ SurfaceEntry<T> entry_of_laser(const instrument::Laser<T>& laser, const Vec3<T>&
   entry.at = at;
   entry.outside = (T(1) / distance) * way;
   const T x = one_minus_cos(entry.outside, laser.axis);
-  entry.exists = x < laser.one_minus_cos_divergence;
+  entry.exists = laser.emits(x);
   entry.path = longer_from_disc(laser, at, distance, x);
-  density =
-      abs(entry.outside.z) / (distance * distance * T(2 * pi) * laser.one_minus_cos_divergence);
+  density = abs(entry.outside.z) / (distance * distance * T(2 * pi) * laser.even_within(x));
   return entry;
 }
 

@@ -72,7 +72,11 @@ void tally_escape_from_air(const World<T>& world, const ForwardTracks<T>& t, con
   const Mask<T> rises = mask & (photon.direction.z < T(0));
   if (!any(rises)) return;
   const T up = select(rises, T(0) - photon.direction.z, T(1));
-  const T here = world.slabs.optical_depth(photon.line, geometry::level_of(world.slabs, photon));
+  const auto at = geometry::level_of(world.slabs, photon);
+  const T here =
+      geometry::optical_depths(
+          world.slabs, geometry::to_surface(photon.line, at, at.depth, geometry::Slant<T>{}))
+          .all;
   const T rest = (gather<T>(world.slabs.bed_tau, photon.line) - here) / up;
   const TallyEvents<T> events(world, tally);
   events.escape(rises, up, photon.weight * exp_minus(select(rest > T(0), rest, T(0))),

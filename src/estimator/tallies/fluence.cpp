@@ -20,8 +20,8 @@ std::ptrdiff_t cell_of(const std::vector<double>& edges, double place, bool asce
 /// The edge of a cell that light comes to next.
 double edge_ahead(const std::vector<double>& edges, std::ptrdiff_t cell, bool ascends) {
   const std::ptrdiff_t edge = ascends ? cell + 1 : cell;
-  const bool is_there = edge >= 0 && edge < std::ssize(edges);
-  return is_there ? edges[static_cast<std::size_t>(edge)] : never;
+  if (edge < 0 || edge >= std::ssize(edges)) return never;
+  return edges[static_cast<std::size_t>(edge)];
 }
 
 /// Light along x.

@@ -18,13 +18,13 @@ Radiance::Radiance(std::vector<RadianceWay> ways, const geometry::Slabs& slabs)
     for (RadianceWay::Level& level : way.levels) {
       level.distance = std::min(level.distance, end);
       const auto layer = slabs_.by_depth.layer_of(0, 0, level.distance);
-      const double slant = optical_depth(level.distance, layer) / std::abs(way.direction.z);
+      const double slant = depth_at(level.distance, layer) / std::abs(way.direction.z);
       depth.push_back({slant, std::exp(-slant)});
     }
   }
 }
 
-double Radiance::optical_depth(double distance, std::int32_t layer) const {
+double Radiance::depth_at(double distance, std::int32_t layer) const {
   return slabs_.optical_depth<double>(0, slabs_.level<double>(layer, distance));
 }
 
@@ -36,7 +36,7 @@ constexpr double largest_slant = 300;  // whose exponentials doubles hold
 
 void Radiance::scatter(const ScatteringLight& light, tally::TallyScores& scores) const {
   const std::int32_t line = 0;
-  const double here = optical_depth(light.distance, light.place);
+  const double here = depth_at(light.distance, light.place);
   const double scattered = light.weight * transport::scattered_share<double>(
                                               slabs_, line, light.place, -light.direction.z);
   const std::int32_t phase =

@@ -40,7 +40,7 @@ class Radiance {
   [[nodiscard]] const std::vector<RadianceWay>& ways() const { return ways_; }
 
  private:
-  [[nodiscard]] double optical_depth(double distance, std::int32_t layer) const;
+  [[nodiscard]] double depth_at(double distance, std::int32_t layer) const;
 
   std::vector<RadianceWay> ways_;
   geometry::Slabs slabs_;

@@ -18,9 +18,9 @@ Vec3<double> direction_of(const scene::TravelDirection& of) {
 }
 
 /// The ways to the levels of one direction.
-class Ways {
+class WaysOfDirection {
  public:
-  Ways(const Model& model, const geometry::Slabs& slabs)
+  WaysOfDirection(const Model& model, const geometry::Slabs& slabs)
       : model_(model), surface_(surface::flat_surface<double>(slabs, 0)) {
     const double index = gather<double>(slabs.index, 0);
     per_index_squared_ = 1 / (index * index);
@@ -74,7 +74,7 @@ std::vector<RadianceWay> radiance_ways(const scene::Tally& tally, const Model& m
   for (const auto& of : tally.direction_deg) {
     Vec3<double> direction = direction_of(of);
     if (upside_down) direction.z = -direction.z;
-    Ways ways(model, slabs);
+    WaysOfDirection ways(model, slabs);
     for (std::size_t i = 0; i < levels.size(); ++i, ++cell) {
       const bool here = model.is_air_alone() || levels[i].in_air == upside_down;
       ways.add(direction, here, levels[i], i, cell);

@@ -120,8 +120,8 @@ inline WayByEntry way_of_laser(const World<double>& world, const Path& path) {
   way.direction = normalised(path.x(1) - entry.at);
   way.length_air = length(from_vertex) - laser.vertex_distance / dot(outside, laser.axis);
   way.value = sent_on(world, 0, true, outside, way.direction);
-  const double by_rays =
-      -outside.z / dot(from_vertex, from_vertex) / (2 * pi * laser.one_minus_cos_divergence);
+  const double by_rays = -outside.z / dot(from_vertex, from_vertex) /
+                         (2 * pi * laser.even_within(one_minus_cos(outside, laser.axis)));
   add_connections(world, of_laser, 0, outside, fictitious_vertex(laser), entry, path.x(1), by_rays,
                   way);
   return way;

@@ -48,6 +48,34 @@ TEST(EntryCone, GivesNarrowerConesTheirShares) {
   }
 }
 
+// Weights are what the laser sends in a direction over what is drawn: bounded within its beam,
+// which its rings hold out to the cut, and 1 as a mean. Seen red: with the rings of an even cone;
+// with rings out to the half divergence; with the density on the axis everywhere.
+TEST(EntryCone, FollowsAGaussianBeamOutToItsWings) {
+  const auto sea = transport::make_sea(40);
+  for (const V& place : {V{0, 0, 10}, V{0, 0, -4}}) {
+    auto source = laser_at(place, {0.1, 0, -1});
+    source.half_divergence_mrad = 5;
+    source.profile = scene::SourceProfile::gaussian;
+    const auto laser = instrument::make_laser<double>(source);
+    const auto cone = cone_of_own_rays(source, sea);
+    ASSERT_EQ(cone.rings, 8U);
+    EXPECT_EQ(cone.one_minus_cos(), laser.one_minus_cos_divergence);
+    EXPECT_NEAR(cone.ring[7].up_to, 1, 1e-12);
+    double mean = 0, most = 0;
+    for (int i = 0; i < draws; ++i) {
+      const double x = cone.draw((i + 0.5) / draws);
+      const double weight = cone.solid_angle_at(x) / (2 * pi * laser.even_within(x));
+      mean += weight / draws;
+      most = std::max(most, weight);
+    }
+    EXPECT_NEAR(mean, 1, 1e-3);
+    EXPECT_LT(most, 2.2);
+    EXPECT_GT(1 / cone.solid_angle_at(0.9 * cone.one_minus_cos()),
+              0.09 / (2 * pi * cone.one_minus_cos()));
+  }
+}
+
 // Of an instrument in the water. Other walks are as much less dense. Seen red: with a solid angle
 // that does not know of the share.
 TEST(EntryCone, UnderWavesLeavesAShareToWalksThatBeginAtFacets) {

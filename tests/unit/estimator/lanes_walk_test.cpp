@@ -19,7 +19,8 @@ Four<Photon<double>> random_photons(const Sea& sea, Random& random) {
           random_photon(sea, random)};
 }
 
-void emit_and_enter(double half_divergence_mrad, std::uint64_t seed) {
+void emit_and_enter(double half_divergence_mrad, std::uint64_t seed,
+                    scene::SourceProfile profile = scene::SourceProfile::disc) {
   Random random(seed);
   const auto sea = make_sea(40);
   int flown_away = 0;
@@ -29,6 +30,7 @@ void emit_and_enter(double half_divergence_mrad, std::uint64_t seed) {
     source.direction = {random.between(-1, 1), random.between(-1, 1), -random.uniform()};
     source.diameter_m = random.between(0.001, 0.1);
     source.half_divergence_mrad = half_divergence_mrad;
+    source.profile = profile;
     const auto u1 = uniforms4(random);
     const auto u2 = uniforms4(random);
     auto packed = emit(instrument::make_laser<Lanes4>(source), Index4(0), pack(u1), pack(u2));
@@ -52,6 +54,11 @@ void emit_and_enter(double half_divergence_mrad, std::uint64_t seed) {
 TEST(LanesOf, EmitDivergingAndEnterWater) {
   emit_and_enter(5, 11);
   emit_and_enter(1500, 12);
+}
+
+TEST(LanesOf, EmitAGaussianAndEnterWater) {
+  emit_and_enter(500, 15, scene::SourceProfile::gaussian);
+  emit_and_enter(0, 16, scene::SourceProfile::gaussian);
 }
 
 TEST(LanesOf, EmitCollimatedAndEnterWater) { emit_and_enter(0, 13); }

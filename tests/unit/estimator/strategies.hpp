@@ -367,7 +367,8 @@ struct StrategiesOfPath {
                                    path.is_mirrored(0), can_be_met(laser) ? solid_angle : 0));
     edge.back().arriving = -way.direction;
     draw_by_depth(world.walks.laser_cone, way.direction.z, is_on_bed(1), edge.back());
-    if (!laser.collimated) common *= solid_angle / (2 * pi * laser.one_minus_cos_divergence);
+    const double x = one_minus_cos(-way.arriving, laser.axis);
+    if (!laser.collimated) common *= solid_angle / (2 * pi * laser.even_within(x));
     common *= way.throughput;
   }
   void add_last() {

@@ -321,5 +321,28 @@ TEST(StrategiesOfPath, ThroughWavesAgree) {
   EXPECT_GT(held.free_laser, 100);
 }
 
+// Seen red: with an even density of the points where the laser's rays come through the surface; of
+// one below, with an even density of its rays.
+TEST(StrategiesOfPath, OfAGaussianLaserThroughWavesAgree) {
+  Random random(152);
+  const V down{0, 0, -1}, tilted{0.15, -0.1, -1};
+  const auto gaussian = [](scene::Source source) {
+    source.profile = scene::SourceProfile::gaussian;
+    return source;
+  };
+  Held held;
+  for (const Lidar& lidar : {Lidar{"upright", gaussian(laser_over_waves({0.5, 0, 10}, down, 60)),
+                                   telescope_over_waves(down, 0.9, 0)},
+                             {"tilted", gaussian(laser_over_waves({-0.5, 0, 10}, tilted, 60)),
+                              telescope_over_waves(tilted, 0.9, 0)},
+                             {"laser below", gaussian(laser_over_waves({0.5, 0, -0.4}, down, 100)),
+                              telescope_over_waves(down, 0.6, -0.4)}})
+    expect_strategies_agree(lidar, waves_of(0.03, 0.01), false, random, held);
+  EXPECT_GT(held.own, 30);
+  EXPECT_GT(held.by_slopes, 10);
+  EXPECT_GT(held.translated, 30);
+  EXPECT_GT(held.free_laser, 10);
+}
+
 }  // namespace
 }  // namespace photic::estimator

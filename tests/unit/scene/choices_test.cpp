@@ -62,6 +62,11 @@ TEST(Choices, OfTheSimulationAreReadAndWrittenByTheirWords) {
   expect_in_tools("local_forced_collisions", &Tools::local_forced_collisions);
 }
 
+TEST(Choices, OfTheSourceAreReadAndWrittenByTheirWords) {
+  expect_round_trips<SourceProfile>(
+      "source.profile", [](const Scene& s) { return s.source.profile; }, nothing);
+}
+
 TEST(Choices, OfChannelsAreReadAndWrittenByTheirWords) {
   expect_round_trips<Process>(
       "channel.0.process", [](const Scene& s) { return s.channel[0].process; }, nothing);

@@ -13,6 +13,7 @@ namespace {
 TEST(Read, FillsInDefaults) {
   const Scene scene = base_scene();
   EXPECT_EQ(scene.source.kind, SourceKind::laser);
+  EXPECT_EQ(scene.source.profile, SourceProfile::disc);
   EXPECT_EQ(scene.telescope[0].detector_shift_m, 0.0);
   EXPECT_EQ(scene.optics.set, OpticsSet::modern);
   EXPECT_EQ(scene.optics.water_depolarisation, 0.039);

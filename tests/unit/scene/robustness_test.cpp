@@ -97,6 +97,7 @@ TEST(Robustness, AnyValueForAnyKey) {
                                        "source.position_m.1",
                                        "source.direction",
                                        "source.half_divergence_mrad",
+                                       "source.profile",
                                        "telescope",
                                        "telescope.0",
                                        "telescope.0.name",

@@ -43,7 +43,25 @@ TEST(Sources, LampsAreInTheWaterOrTheAir) {
   EXPECT_EQ(source_of(up_in_clear_air).kind, SourceKind::point);
 }
 
-// Seen red: with the position of a sun written.
+// Seen red: with the radius of parallel light for that of a cone; with twice for three times.
+TEST(Sources, OfAGaussianHoldAllLightWithinThreeTimesItsWidth) {
+  for (const double mrad : {0.0, 5.0, 523.0}) {
+    const std::string place =
+        "position_m = [0, 0, 12]\ndirection = [0, 0, -1]\ndiameter_m = 0.04\n"
+        "half_divergence_mrad = " +
+        std::to_string(mrad);
+    const Source disc = source_of(place);
+    EXPECT_EQ(disc.half_divergence_of_all(), mrad * 1e-3);
+    EXPECT_EQ(disc.radius_of_all(), 0.02);
+    const Source gaussian = source_of(place + "\nprofile = \"gaussian\"");
+    EXPECT_EQ(gaussian.half_divergence(), mrad * 1e-3);
+    EXPECT_EQ(gaussian.half_divergence_of_all(), 3 * mrad * 1e-3);
+    const double spread = mrad > 0 ? std::tan(3e-3 * mrad) / std::tan(1e-3 * mrad) : 3;
+    EXPECT_NEAR(gaussian.radius_of_all(), 0.02 * spread, 1e-12 * spread);
+  }
+}
+
+// Seen red: with the position of a sun written; with an angle and a direction written.
 TEST(Sources, AreWrittenAsTheyWereRead) {
   for (const std::string source :
        {"kind = \"beam\"\nzenith_deg = 0.1\nazimuth_deg = -1\nirradiance_w_m2 = 0.3",
@@ -53,7 +71,7 @@ TEST(Sources, AreWrittenAsTheyWereRead) {
         "kind = \"cone\"\nposition_m = [0, 0, -1]\ndirection = [1, 0, 0]\nhalf_angle_deg = 0.3\n"
         "power_w = 1e9",
         "position_m = [0, 0, 12]\ndirection = [0, 0, -1]\ndiameter_m = 0.04\n"
-        "half_divergence_mrad = 5\nenergy_j = 0.1",
+        "half_divergence_mrad = 5\nprofile = \"gaussian\"\nenergy_j = 0.1",
         "position_m = [0, 0, 12]\ndirection = [0, 0, -1]\ndiameter_m = 0.04\n"
         "half_divergence_mrad = 5\nphotons_per_pulse = 1e18"}) {
     SCOPED_TRACE(source);
@@ -145,6 +163,15 @@ std::vector<WrongSource> wrong_sources() {
        lit_scene(std::string(laser) + "\npower_w = 1"),
        {"scene.toml:7:11: 'power_w' does not belong to kind = \"laser\" (it belongs to \"beam\", "
         "\"point\" and \"cone\")"}},
+      {"ProfileOfALamp",
+       lit_scene(std::string(lamp) + "\nprofile = \"gaussian\""),
+       {"scene.toml:7:11: 'profile' does not belong to kind = \"cone\" (it belongs to "
+        "\"laser\")"}},
+      {"WingsToTheSide",
+       lit_scene("position_m = [0, 0, 12]\ndirection = [0, 0, -1]\ndiameter_m = 0.04\n"
+                 "half_divergence_mrad = 524\nprofile = \"gaussian\""),
+       {"scene.toml:6:24: the wings of a Gaussian beam go out to 3 times its half divergence, and "
+        "1572 mrad is a quarter turn or more (take at most 523 mrad, or profile = \"disc\")"}},
       {"IrradianceOfADisc",
        lit_scene("kind = \"beam\"\nzenith_deg = 3\nposition_m = [0, 0, 4]\nirradiance_w_m2 = 1"),
        {"scene.toml:6:1: 'position_m' and 'irradiance_w_m2' exclude each other in [source] (keep "

@@ -143,6 +143,7 @@ position_m = [0.0, 0.0, 12.0]
 direction = [0.0, 0.0, -1.0]
 diameter_m = 0.04
 half_divergence_mrad = 5.0
+profile = "disc"
 
 [[telescope]]
 name = "t"
