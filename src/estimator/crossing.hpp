@@ -25,7 +25,9 @@ struct NoObserver {
   [[nodiscard]] Mask<T> emit(const Mask<T>&, const surface::AtFilm<T>&, const T&, std::uint32_t) {
     return Mask<T>(false);
   }
-  void came_from_film(const auto&) {}
+  void came_from_film(const auto&, const auto&) {}
+  /// Weight that a film takes, and does not emit again.
+  void into_film(const auto&, const auto&) {}
   void about_to_meet(const auto&, std::uint32_t) {}
   void met(const auto&, const auto&) {}
   void crossed(std::int32_t, const auto&, const auto&) {}
@@ -66,6 +68,7 @@ void cross_by_shares(const geometry::Slabs& sea, Track<T>& t, const Mask<T>& sta
                                     : transport::reflect_down(sea, down, lossless);
   book(ledger.escaped, stand, leaving.into_air);
   book(ledger.oil, stand, leaving.into_film);
+  observer.into_film(stand, leaving.into_film);
   if (!from_outside) {
     observer.passes(stand & (leaving.into_air > T(0)), leaving.direction, leaving.into_air, [&] {
       return surface::FilmCrossing<T>{photon.line, Index<T>(medium::through_film), rise};
@@ -116,6 +119,7 @@ struct FacetsOfHistories {
     book(ledger.roulette, meets, T(0) - met.gained);
     book(ledger.escaped, meets, met.escaped);
     book(ledger.oil, meets, met.into_film);
+    observer.into_film(meets, met.into_film);
     if (splits)
       observer.passes(meets & (met.escaped > T(0)), met.risen, met.escaped,
                       [&] { return transport::hit_of_risen(world.slabs.waves, met); });

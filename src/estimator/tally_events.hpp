@@ -117,12 +117,11 @@ class TallyEvents {
       tallies_.boundaries->absorb(layer_of(at.layer(i)), at.weight(i), scores_);
     });
   }
-  /// Photons of a mask that have come to a film, and ended there.
-  void absorbed_in_film(const Photon& photon, const Mask<T>& mask) const {
-    const Mask<T> light = of_source(photon, mask);
-    if (!tallies_.boundaries || !any(light)) return;
-    const auto weights = each_lane(photon.weight);
-    for_each_lane(light, [&](int lane) {
+  /// A film absorbs so much of light of a mask.
+  void absorbed_in_film(const Mask<T>& mask, const T& weight) const {
+    if (!tallies_.boundaries || !any(mask)) return;
+    const auto weights = each_lane(weight);
+    for_each_lane(mask, [&](int lane) {
       tallies_.boundaries->absorb_in_film(weights[static_cast<std::size_t>(lane)], scores_);
     });
   }
@@ -153,7 +152,8 @@ class TallyEvents {
     rising.direction = direction;
     rising.weight = weight;
     const EachPhoton<T> from(rising);
-    for_each_lane(mask, [&](int lane) {
+    // Of light that is reflected in total nothing rises, but for what floats round off.
+    for_each_lane(mask & (direction.z > T(0)), [&](int lane) {
       fly_in_clear_air(from, static_cast<std::size_t>(lane), 0, far_away);
     });
   }
@@ -187,8 +187,11 @@ class TallyEvents {
   /// Along a photon's ray, between two heights.
   void fly_in_clear_air(const EachPhoton<T>& at, std::size_t i, double from, double to) const {
     const Vec3<double> direction = at.direction(i);
-    const double per_height = 1 / direction.z;
     const Vec3<double> there = at.position(i);
+    if (direction.z == 0)
+      return tallies_.outside.fly({there, direction, from, from, far_away, at.weight(i), 0},
+                                  scores_);
+    const double per_height = 1 / direction.z;
     const Vec3<double> start = there + (from - there.z) * per_height * direction;
     tallies_.outside.fly({start, direction, from, to, (to - from) * per_height, at.weight(i), 0},
                          scores_);

@@ -58,6 +58,17 @@ inline std::string lamp_at(double z, double half_angle_deg) {
                                    z, half_angle_deg));
 }
 
+/// A laser's light that a film and the water convert, and telescopes count.
+inline std::string converted(const std::string& surface) {
+  return "[source]\nwavelength_nm = 355.0\nposition_m = [0, 0, 2]\ndirection = [0.3, 0, -1]\n"
+         "diameter_m = 0.05\nhalf_divergence_mrad = 50\n"
+         "[[telescope]]\nposition_m = [0.8, 0, 2]\ndirection = [0, 0, -1]\ndiameter_m = 1.0\n"
+         "focal_length_m = 2.0\nhalf_field_of_view_mrad = 300.0\n" +
+         channel("oil") + channel("raman") + "[gates]\ndepth_max_m = 2.0\ndepth_step_m = 1.0\n" +
+         everywhere_in_sea + film(3, "yield = 0.5\n") + "[sea]\nrefractive_index = 1.34\n" +
+         surface + "[[sea.layer]]\nbottom_depth_m = 2.0\n" + scattering(0.2, 0.8, 0.7);
+}
+
 inline std::vector<LitWorld> lit_worlds() {
   const std::string point = "position_m = [0, 0, -1.5]\ndirection = [0.4, 0.2, 1]";
   const std::string disc = "position_m = [0, 0, 3]\nzenith_deg = 30\ndiameter_m = 0.5";
@@ -77,6 +88,9 @@ inline std::vector<LitWorld> lit_worlds() {
        sun_at(50) + everywhere_in_sea + flat_radiance + film(3) + two_layers_and_bed()},
       {"the sun over a film on waves",
        sun_at(50) + everywhere_in_sea + film(3) + two_layers_and_bed(wavy_without_foam)},
+      {"a film that shines", converted("")},
+      {"a film that shines on waves",
+       converted("surface = { model = \"cox-munk\", wind_speed_m_s = 5.0 }\n")},
       {"a lamp in the water", lamp_at(-0.7, 180) + in_sea + two_layers_and_bed()},
       {"a lamp under waves", lamp_at(-0.7, 120) + in_sea + two_layers_and_bed(wavy)},
       {"a lamp above the sea", lamp_at(0.6, 180) + in_sea + two_layers_and_bed()},

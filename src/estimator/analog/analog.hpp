@@ -186,17 +186,21 @@ struct AnalogSteps {
     AnalogPhotons<T>& p;
     T depth;  ///< of the collision that they come from; light of a film comes from none
     bool from_outside;
-    transport::Photon<T> arriving;  ///< as they come to it
 
     void about_to_meet(const transport::AtWaves<T>& at, std::uint32_t facet) {
       const Index<T> of_surface(static_cast<std::int32_t>(transport::Touched::surface));
       const Mask<T> fresh = at.meets & (p.photon.order == Index<T>(0));
       if (facet == 0) p.touched = select(fresh, of_surface, p.touched);
     }
-    void came_from_film(const Mask<T>& by_film) {
+    /// `weight`: with which light has come to the film.
+    void came_from_film(const Mask<T>& by_film, const T& weight) {
       depth = select(by_film, T(0), depth);
-      if (steps.world.tallies)
-        TallyEvents<T>(steps.world, steps.tally).absorbed_in_film(arriving, by_film);
+      if (!steps.world.tallies) return;
+      TallyEvents<T>(steps.world, steps.tally).absorbed_in_film(by_film, weight);
+    }
+    void into_film(const Mask<T>& mask, const T& weight) const {
+      if (!steps.world.tallies) return;
+      TallyEvents<T>(steps.world, steps.tally).absorbed_in_film(of_source(p.photon, mask), weight);
     }
     void reflected(const Mask<T>& mask, const Vec3<T>& direction, const T& weight) const {
       rise(mask, direction, weight);
@@ -222,11 +226,8 @@ struct AnalogSteps {
                      const T& depth) {
     const Mask<T> standing = stand;  // it may be p.on, which changes
     ByChance<T, Ledger> rule{{world, p.place, ledger}, p.spectral_bin, number};
-    AtDetectors observer{{}, *this, p, depth, from_outside, p.photon};
-    const double in_film = world.tallies ? total(ledger).oil : 0;
+    AtDetectors observer{{}, *this, p, depth, from_outside};
     estimator::cross_surface(world, p, standing, from_outside, rule, observer);
-    if (world.tallies && world.tallies->boundaries)
-      world.tallies->boundaries->absorb_in_film(total(ledger).oil - in_film, tally.tallies);
   }
   /// Shows the tallies beside echoes a flight, and its end at a black end of the medium.
   void tally_flight(const transport::Photon<T>& before, const transport::Photon<T>& after,

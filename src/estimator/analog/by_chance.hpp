@@ -19,12 +19,13 @@ struct ByChance : FacetsOfHistories<T, Ledger, false> {
     if (surface.face.oily)
       return facet_by_chance(this->world.slabs, this->place, spectral_bin, facet, photon, at,
                              this->is_conserved(facet));
-    return {FacetsOfHistories<T, Ledger, false>::meet(surface, photon, at, facet), Mask<T>(false)};
+    return {FacetsOfHistories<T, Ledger, false>::meet(surface, photon, at, facet), Mask<T>(false),
+            T(0)};
   }
   template <class Observer>
   void take(const transport::Photon<T>& photon, const Mask<T>& meets, const AfterOilyFacet<T>& met,
             Observer& observer) const {
-    observer.came_from_film(met.emitted);
+    observer.came_from_film(met.emitted, met.weight);
     FacetsOfHistories<T, Ledger, false>::take(photon, meets, met, observer);
   }
   template <class Observer>
@@ -58,10 +59,12 @@ struct ByChance : FacetsOfHistories<T, Ledger, false> {
   void cross_film(Track<T>& t, const Mask<T>& stand, bool from_outside, Observer& observer) const {
     const auto after =
         film_by_chance(this->world.slabs, this->place, spectral_bin, stand, from_outside, t.photon);
-    observer.came_from_film(after.emitted);
+    observer.came_from_film(after.emitted, t.photon.weight);
     observer.passes(after.up, t.photon.direction, t.photon.weight, [] {});
     book_out(t, after.up, this->ledger.escaped);
-    book_out(t, stand & !after.down, this->ledger.oil);
+    const Mask<T> absorbed = stand & t.on & !after.down;
+    observer.into_film(absorbed, t.photon.weight);
+    book_out(t, absorbed, this->ledger.oil);
   }
 };
 

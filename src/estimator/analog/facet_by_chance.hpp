@@ -33,6 +33,7 @@ struct FacetFrame {
 template <class T>
 struct AfterOilyFacet : transport::AfterFacet<T> {
   Mask<T> emitted{};  ///< those whose light the film has emitted
+  T weight{};         ///< with which they met it
 };
 
 /// Has photons meet oily facets. They keep the weight by which facets are met more or less densely
@@ -47,6 +48,7 @@ AfterOilyFacet<T> facet_by_chance(const medium::MediumView& sea, const RandomPla
   AfterOilyFacet<T> met;
   met.gained = photon.weight * (by.gain - T(1));
   photon.weight = select(at.meets, photon.weight * by.gain, photon.weight);
+  met.weight = photon.weight;
   const Mask<T> meets = at.meets & (by.gain > T(0));
   const FacetFrame<T> frame(by.facet.normal);
   transport::Photon<T> turned = photon;

@@ -101,6 +101,7 @@ struct ScoredAtSurface {
     companions_of<Events>(world, t).crossed(t.photon.line, way, cosine, crosses);
   }
   void reflected(const Mask<T>&, const Vec3<T>&, const T&) {}
+  void into_film(const Mask<T>&, const T&) {}
   /// `by`: what the light that passes has met, which the rest has not.
   template <class By>
   void passes(const Mask<T>& mask, const Vec3<T>& direction, const T& weight, By by) {

@@ -58,12 +58,10 @@ struct ForwardSteps {
     transport::Photon<T>& photon = t.photon;
     const auto companions = companions_of<Events>(world, t);
     companions.before(photon);
-    transport::Photon<T> before;
-    if constexpr (Events::tallies) before = photon;
     auto end = transport::fly(world.slabs, photon, t.free_path);
     if constexpr (Events::tallies)
       if (world.tallies)
-        TallyEvents<T>(world, tally).flown(before, photon, end.length, t.on, end.sea_bed);
+        TallyEvents<T>(world, tally).flown(t.ratios.before, photon, end.length, t.on, end.sea_bed);
     if (flies_on()) {
       transport::fly_on(world.slabs, photon, end, [&](const Mask<T>& reflected, auto& down) {
         t.on = (t.on & !reflected) | reflect_in_flight(t, t.on & reflected, down);

@@ -27,6 +27,9 @@ struct EscapesAtSurface : NoObserver {
     events.escape(mask, direction.z, weight, Mask<T>(was_in_water));
     events.rise_in_clear_air(mask, photon, direction, weight);
   }
+  void into_film(const Mask<T>& mask, const T& weight) const {
+    events.absorbed_in_film(mask, weight);
+  }
 };
 
 /// Light of a mask that stands at the surface leaves by it, or is absorbed in a film there, as far
@@ -43,8 +46,6 @@ PHOTIC_APART void tally_at_surface(const World<T>& world, const ForwardTracks<T>
   EscapesAtSurface<T> observer{
       {}, events, there.photon, world.tallies->escapes_at_surface, !from_outside};
   estimator::cross_surface(world, there, stand, from_outside, rule, observer);
-  if (world.tallies->boundaries)
-    world.tallies->boundaries->absorb_in_film(total(ledger).oil, tally.tallies);
 }
 
 /// Returns whether anything of light at the surface counts there.
