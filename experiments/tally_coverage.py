@@ -36,7 +36,7 @@ def run(program, scene, photons, seed):
 
 
 def coverage(runs, name):
-    """How many unflagged cells of all runs there are, and how many of them are within 1.96 and 1 errors of the truth."""
+    """The number of unflagged cells of all runs, and the numbers within 1.96 and 1 errors of the truth."""
     value, error, flags = (np.array([one[name][i] for one in runs]) for i in range(3))
     truth = value.mean(0)
     counts = (flags == 0) & (error > LEAST_ERROR * truth)

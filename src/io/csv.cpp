@@ -46,7 +46,7 @@ std::string head(const tally::Result& result) {
   return out;
 }
 
-/// What the columns hold, and their names.
+/// The contents of the columns, and their names.
 std::string head_of_columns(const tally::Result& result) {
   std::string out =
       "# echo: expected photons detected in the gate per photon emitted; standard_error: of the "

@@ -10,7 +10,7 @@
 namespace photic::io {
 namespace {
 
-/// "depth" of "level_depth": the table says of what.
+/// "depth" of "level_depth": the rest is in the table's title.
 std::string short_name(const tally::Coordinate& coordinate) {
   return coordinate.name.substr(coordinate.name.rfind('_') + 1);
 }

@@ -19,7 +19,7 @@ using PlaceField = std::pair<std::string, std::variant<std::size_t, double, std:
 struct TallyRow {
   const tally::TallyGrid* grid{};
   std::vector<std::size_t> index;  ///< [dimension], from 0
-  double value{};                  ///< as the grid's normalisation says
+  double value{};                  ///< by the grid's normalisation
   double standard_error{};         ///< of the value
   double relative_error{};         ///< standard_error / value; NaN where the value is not above 0
   std::int32_t flags{};            ///< TallyEstimates::flags

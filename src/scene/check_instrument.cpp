@@ -115,7 +115,7 @@ void check_place(const Scene& scene, Findings& findings) {
                  "lower it, or take kind = \"beam\", which comes from outside");
 }
 
-/// What is of lasers alone.
+/// Refuses telescopes and walks, which take a laser.
 void check_without_laser(const Scene& scene, Findings& findings) {
   const std::string word = word_of(scene.source.kind);
   if (!scene.telescope.empty() && findings.good({"telescope"}))

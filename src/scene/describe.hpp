@@ -150,7 +150,7 @@ void describe(V& v, Environment& e) {
              "sea., optics., bottom., oil. or atmosphere.");
 }
 
-/// What is not there where there is air alone.
+/// The sections that air alone does without.
 template <class V>
 void describe_waters(V& v, Scene& s) {
   v.section("sea", s.sea, Need::optional, "the sea: its surface and its layers of water");

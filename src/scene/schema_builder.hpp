@@ -160,7 +160,7 @@ class SchemaBuilder {
     keys(child);
     return child;
   }
-  /// What a group asks for beside its properties, which become this table's.
+  /// Returns the demands of a group beside its properties, which become this table's.
   Node take_in(SchemaBuilder group);
   [[nodiscard]] std::vector<std::string> keys() const;
   void conditional(const char* selector, const std::vector<std::string>& choices,

@@ -109,7 +109,7 @@ std::vector<Lit> lit_by_gaussians() {
            4e5, 1e5, 15}};
 }
 
-/// What both know to 5 % and better.
+/// Adds the cells that both know to 5 % and better.
 void add_all(ZFamily& family, const tally::Estimates& a, const tally::Estimates& b,
              const std::string& what) {
   for (std::size_t i = 0; i < a.mean.size(); ++i) {

@@ -1,5 +1,5 @@
-// How often the standard errors of tallies hold what they claim. Of scenes/sun.toml, with more
-// photons: experiments/tally_coverage.py.
+// The share of cells whose standard errors hold as much as they claim. Of scenes/sun.toml, with
+// more photons: experiments/tally_coverage.py.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -49,7 +49,7 @@ class RoughReflection {
   static constexpr double quarter = pi / 2;
   static constexpr int most_facets = 4, many_steps = 600, few_steps = 48;
 
-  /// What is reflected in the end of light that comes down to one more facet, by angle.
+  /// The share of light coming down to one more facet that is reflected in the end, by angle.
   void fill_table() {
     table_.assign(angles, 0.0);
     for (int facets = 1; facets < most_facets; ++facets) {

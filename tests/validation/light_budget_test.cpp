@@ -1,4 +1,4 @@
-// Where light ends, and what is left of it on the way: sums that hold in any water.
+// The ends of light, and the rest of it on the way: sums that hold in any water.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -102,7 +102,7 @@ TEST(NetIrradiance, PassesTheSurface) {
   family.judge();
 }
 
-// What a constituent of known absorption absorbs is that times E_0: 0.5 and 0.2 per m of CDOM at
+// A constituent of known absorption absorbs that times E_0: 0.5 and 0.2 per m of CDOM at
 // 440 nm, beside water and phytoplankton, in layers that the slabs of E_0 fill. False alarms: one
 // in a hundred. Seen red: with the shares of the last layer's and the first one's constituents
 // swapped.

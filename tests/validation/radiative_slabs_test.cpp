@@ -21,7 +21,7 @@ std::string slab_under(double zenith_deg, const std::string& index, const std::s
   return sun_at(zenith_deg) + tally_of("boundaries") + tallies +
          "[sea]\nrefractive_index = " + index + "\n" + layer + simulation(photons, 11);
 }
-/// What comes back from it.
+/// The light that comes back from it.
 Known reflected_by(const tally::Result& r) {
   const Known surface = known(r, "reflected_by_surface"), water = known(r, "left_water");
   return {surface.value + water.value, std::hypot(surface.error, water.error)};

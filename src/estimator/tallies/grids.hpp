@@ -19,8 +19,8 @@ struct AbsorberNames {
 };
 AbsorberNames absorber_names(const medium::Medium& medium, const std::optional<medium::Air>& air);
 
-/// What a source's strength makes of quantities: of shares of its light, and of quantities that
-/// are per irradiance across its beam.
+/// The strength of a source, by which quantities are multiplied: those that are shares of its
+/// light, and those per irradiance across its beam.
 struct Strength {
   std::string units;  ///< "W", "J", "1", "W m-2"
   double value = 0;

@@ -1,5 +1,5 @@
 // The tallies of a world beside echoes, which its light is shown to. Each kind is a file of its
-// own; which there are, and of what cells, make_tallies() says.
+// own; make_tallies() chooses them, and their cells.
 #pragma once
 
 #include <optional>

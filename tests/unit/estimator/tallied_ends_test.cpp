@@ -68,7 +68,7 @@ TEST(TalliedEnds, WeighPathsByTheirMean) {
   EXPECT_EQ(ContinuousAbsorption().track(0, 1.5, 3), 4.5);
 }
 
-/// Two constituents in three layers, by shares that tell all apart; escape by angle; the rest.
+/// Two constituents in three layers, by shares that differ; escape by angle; the rest.
 struct Ends {
   explicit Ends(const transport::Sea& sea)
       : boundaries({.absorbed = 0,
@@ -87,7 +87,7 @@ struct Ends {
   tally::TallyScores scores;
 };
 
-// What a flight loses in each layer goes to the layer's own constituents. Seen red: with a layer's
+// The loss of a flight in each layer goes to the layer's own constituents. Seen red: with a layer's
 // shares swapped.
 TEST(TalliedEnds, AbsorbByLayerAndConstituent) {
   const auto sea = transport::make_sea(bed_of_flights_m);

@@ -1,4 +1,4 @@
-// What flights score in irradiances and fluences, against steps along them.
+// Scores of flights in irradiances and fluences, against steps along them.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -58,7 +58,7 @@ void each_step(const ContinuousAbsorption& absorption, const Flight& flight, int
   }
 }
 
-/// What has been scored in so many cells.
+/// The sums of scores, [cell].
 inline std::vector<double> scored_in(const tally::TallyScores& scores) {
   std::vector<double> out;
   for (const double sum : scores.sums) out.push_back(sum / tally::tally_score_unit);
