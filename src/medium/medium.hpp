@@ -17,6 +17,7 @@
 #include "medium/absorbers.hpp"
 #include "medium/air_delay.hpp"
 #include "medium/layering.hpp"
+#include "medium/row.hpp"
 #include "medium/sources.hpp"
 #include "medium/surface_traits.hpp"
 #include "medium/waves.hpp"
@@ -309,6 +310,7 @@ struct FilmChange {
 /// Owns what a MediumView points to.
 class Medium {
  public:
+  Row row;
   std::vector<Line> line;
   std::vector<double> top, c, albedo, conversion, absorption;
   std::vector<double> delay;  ///< of the air upside down: its group index less 1; else none
