@@ -16,7 +16,7 @@ namespace photic::surface {
 /// Returns which of these places are on a bed that reflects.
 template <class T>
 Mask<T> on_bed(const medium::MediumView& sea, const Index<T>& layer) {
-  return layer == Index<T>(sea.layers);
+  return layer >= Index<T>(sea.layers);
 }
 
 /// An albedo that depends on the angle stands at even steps of sqrt(1 - cos), of 0 to 90 degrees.

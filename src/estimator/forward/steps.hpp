@@ -60,8 +60,7 @@ struct ForwardSteps {
     companions.before(photon);
     auto end = transport::fly(world.slabs, photon, t.free_path);
     if constexpr (Events::tallies)
-      if (world.tallies)
-        TallyEvents<T>(world, tally).flown(t.ratios.before, photon, end.length, t.on, end.sea_bed);
+      if (world.tallies) TallyEvents<T>(world, tally).flown(t.ratios.before, photon, end, t.on);
     if (flies_on()) {
       transport::fly_on(world.slabs, photon, end, [&](const Mask<T>& reflected, auto& down) {
         t.on = (t.on & !reflected) | reflect_in_flight(t, t.on & reflected, down);
