@@ -87,9 +87,9 @@ class TallyEvents {
     if (!any(light)) return;
     const Mask<T> bed = surface::on_bed<T>(world_.slabs, photon.layer);
     if (world_.slabs.bed_angles > 0)
-      at_bottom(
-          photon, light & bed,
-          T(1) - surface::bed_albedo(world_.slabs, photon.line, T(T(0) - photon.direction.z)));
+      at_bottom(photon, light & bed,
+                T(1) - surface::bed_albedo(world_.slabs, photon.line, photon.layer,
+                                           T(T(0) - photon.direction.z)));
     radiate(photon, light);
     if (!tallies_.boundaries) return;
     const auto places = each_lane(photon.layer);

@@ -290,8 +290,9 @@ MediumView Medium::view() const {
   v.bands = bands_;
   v.row = row_.view();
   v.places = v.layers + (bed_albedo.empty() ? 0 : v.row.columns);
-  v.bed_angles =
-      bed_albedo.empty() ? 0 : static_cast<std::int32_t>(bed_albedo.size() / line.size());
+  v.bed_angles = bed_albedo.empty()
+                     ? 0
+                     : static_cast<std::int32_t>(bed_albedo.size() / (line.size() * columns()));
   v.bed_albedo = bed_albedo_.view();
   v.kind = kind;
   v.top = top_.view();

@@ -46,7 +46,8 @@ struct EnvironmentTables {
   std::int32_t parts = 0;
   std::vector<double> excess_c,  ///< attenuation less the medium's, [environment][line][layer]
       excess_emitted,            ///< emitted light over the medium's, less 1, as above
-      excess_bed,                ///< the bed's albedo less the medium's, [environment][line][angle]
+      excess_bed,                ///< the beds' albedo less the medium's, [environment]
+                                 ///< [line][column][angle]
       excess_part;  ///< a part's scattering less the medium's, over all scattering of the medium,
                     ///< [environment][line][layer][part]
   /// The films that differ from the medium's, or none if all are as that: the loss of light that
@@ -98,7 +99,8 @@ class Medium {
   std::vector<double> c, albedo, conversion, absorption;
   std::vector<double> delay;  ///< of the air upside down: its group index less 1; else none
   std::vector<std::int32_t> elastic_phase, conversion_phase;
-  /// The albedo of a sea bed that reflects light, at angles (surface/lambert.hpp), [line][angle];
+  /// The albedo of sea beds that reflect light, at angles (surface/lambert.hpp),
+  /// [line][column][angle];
   /// empty if it is black.
   std::vector<double> bed_albedo;
   std::int32_t beam_lobe = 0;  ///< table of a narrow lobe, for walks that look for the laser's beam

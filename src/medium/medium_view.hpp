@@ -83,7 +83,7 @@ struct MediumView {
   std::int32_t bed_angles = 0;  ///< 0: the sea bed is black
   MediumKind kind = MediumKind::water;
   RowView row;
-  ShortTable bed_albedo;  ///< [line][bed_angles], see surface/lambert.hpp
+  ShortTable bed_albedo;  ///< [line][column][bed_angles], see surface/lambert.hpp
   ShortTable top;         ///< depth of a layer's upper edge, and that of the bed, which may be inf
   ShortTable albedo;      ///< b / c, [line][layer]
   // Coefficients and their integrals from the surface to a layer's top, [line][layer]:
@@ -204,10 +204,15 @@ struct MediumView {
   I excess_part(const I& line, const I& layer, std::int32_t part) const {
     return I(environments.first_part + part) + at(line, layer) * I(environments.parts);
   }
+  /// The first number in a table of the beds' albedo, in the column of a place.
+  template <class T>
+  Index<T> bed_row(const Index<T>& line, const Index<T>& place) const {
+    return row.layering_row<T>(line, place) * Index<T>(bed_angles);
+  }
   /// The bed's albedo less the medium's, at an angle of it.
-  template <class I>
-  I excess_bed(const I& line, const I& angle) const {
-    return I(environments.first_bed) + line * I(bed_angles) + angle;
+  template <class T>
+  Index<T> excess_bed(const Index<T>& line, const Index<T>& place, const Index<T>& angle) const {
+    return Index<T>(environments.first_bed) + bed_row<T>(line, place) + angle;
   }
   /// The excess depth of the column between the surface and an instrument outside: 0 is the laser.
   [[nodiscard]] std::int32_t excess_outside(std::size_t instrument) const {

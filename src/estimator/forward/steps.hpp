@@ -136,7 +136,8 @@ struct ForwardSteps {
 
   /// Books the weight that the bed absorbs.
   void book_bed(const transport::Photon<T>& photon, const Mask<T>& colliding) {
-    const T albedo = surface::bed_albedo(world.slabs, photon.line, T(-photon.direction.z));
+    const T albedo =
+        surface::bed_albedo(world.slabs, photon.line, photon.layer, T(-photon.direction.z));
     book(ledger.sea_bed, colliding & surface::on_bed<T>(world.slabs, photon.layer),
          photon.weight * (T(1) - albedo));
   }

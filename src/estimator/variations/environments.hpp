@@ -246,14 +246,15 @@ struct Encounter {
 /// Adds the excess reflection of the bed, over that in the medium.
 template <class T>
 void add_reflection(const medium::MediumView& sea, const Encounter<T>& c, Terms<T>& collision) {
-  const T albedo = surface::bed_albedo(sea, c.line, c.cosine);
+  const T albedo = surface::bed_albedo(sea, c.line, c.layer, c.cosine);
   const Mask<T> reflects = surface::on_bed<T>(sea, c.layer) & (albedo > T(0));
   if (!any(reflects)) return;
   const auto [first, rest] = surface::bed_angle(sea, c.cosine);
   const T per_albedo = select(reflects, T(1), T(0)) / select(reflects, albedo, T(1));
-  collision.add(sea.excess_bed(c.line, first), (T(1) - rest) * per_albedo);
+  collision.add(sea.template excess_bed<T>(c.line, c.layer, first), (T(1) - rest) * per_albedo);
   if (sea.bed_angles > 1)
-    collision.add(sea.excess_bed(c.line, first + Index<T>(1)), rest * per_albedo);
+    collision.add(sea.template excess_bed<T>(c.line, c.layer, first + Index<T>(1)),
+                  rest * per_albedo);
 }
 
 /// Adds the excess of an encounter's coefficient there, over that in the medium.

@@ -220,7 +220,8 @@ TEST(Columns, AreLeftAsOftenAsExpected) {
   const Sea sea = unlike_columns(-2, 3);
   const auto view = sea.view();
   Random random(66);
-  for (const V& direction : {V{3, 0, 1}, V{-2, 0.1, -1}, V{0.4, 0.1, 1}, V{1, 0, 0}, V{-0.2, -3, 1}}) {
+  for (const V& direction :
+       {V{3, 0, 1}, V{-2, 0.1, -1}, V{0.4, 0.1, 1}, V{1, 0, 0}, V{-0.2, -3, 1}}) {
     const auto photon = photon_in(sea, {15, 0.5, -6}, normalised(direction));
     const auto away = estimator::escape(view, photon);
     constexpr int flights = 40000;
@@ -242,10 +243,10 @@ TEST(Columns, AreLeftAsOftenAsExpected) {
   }
 }
 
-// Beds that reflect are below each column.
+// Beds that reflect are below each column. Seen red: with the first column's albedo.
 TEST(Columns, HaveABedEach) {
   Sea sea = make_row({all_three, {{0, 1}}}, {-medium::Row::endless, 0, medium::Row::endless},
-                     {0.3, 0.3, 0.3});
+                     {0.3, 0.4, 0.5, 0.6, 0.7, 0.8});
   sea.finish();
   const auto view = sea.view();
   EXPECT_EQ(view.places, 6);
@@ -257,6 +258,7 @@ TEST(Columns, HaveABedEach) {
     EXPECT_TRUE(surface::on_bed<double>(view, photon.layer));
     EXPECT_EQ(view.layer_of<double>(photon.layer), layer);
     EXPECT_EQ(gather<double>(view.albedo, view.at(1, photon.layer)), 1);
+    EXPECT_EQ(surface::bed_albedo<double>(view, 1, photon.layer, 0.5), x < 0 ? 0.5 : 0.6);
   }
 }
 
