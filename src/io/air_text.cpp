@@ -19,7 +19,7 @@ std::vector<double> optical_depths(const OpticalTable& table, const std::vector<
   std::vector<double> depth(table.wavelengths());
   for (std::size_t i = 0; i < per_m.size(); ++i) {
     const std::size_t layer = i / table.wavelengths();
-    depth[i % table.wavelengths()] += per_m[i] * (table.edge_m[layer + 1] - table.edge_m[layer]);
+    depth[i % table.wavelengths()] += per_m[i] * (table.last_m[layer] - table.first_m[layer]);
   }
   return depth;
 }
@@ -50,13 +50,14 @@ std::string layers(const OpticalTable& table) {
       first.push_back(values[k * table.wavelengths()]);
     return text_column(heading, first, 0, first.size(), format);
   };
-  std::vector<double> km;
-  for (const double edge : table.edge_m) km.push_back(edge * km_per_m);
+  const auto in_km = [&](const char* heading, std::vector<double> metres) {
+    for (double& each : metres) each *= km_per_m;
+    return text_column(heading, metres, 0, table.layers(), "{:g}");
+  };
   const char* const coefficient = "{:.4g}";
   const char* const ratio = "{:.4f}";
   return side_by_side(
-      {text_column("from km", km, 0, table.layers(), "{:g}"),
-       text_column("to km", km, 1, table.layers(), "{:g}"),
+      {in_km("from km", table.first_m), in_km("to km", table.last_m),
        of("a [1/m]", table.a_per_m, coefficient), of("b [1/m]", table.b_per_m, coefficient),
        of("c [1/m]", table.c_per_m(), coefficient), of("b_b [1/m]", table.bb_per_m(), coefficient),
        of("b/c", table.albedo(), ratio), of("g", table.mean_cosine, ratio)});
@@ -66,7 +67,7 @@ std::string layers(const OpticalTable& table) {
 
 std::string air_text(const OpticalTable& table) {
   std::string out = fmt::format("Air from {:g} to {:g} km, straight up: optical depths\n\n",
-                                table.edge_m.front() * km_per_m, table.edge_m.back() * km_per_m);
+                                table.first_m.front() * km_per_m, table.last_m.back() * km_per_m);
   out += depths(table);
   out += fmt::format("\nIts layers at {:g} nm{}\n\n", table.wavelength_nm.front(),
                      table.wavelengths() == 1 ? "" : " (all wavelengths: -o FILE, --json)");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/atomic_file.hpp"
+#include "io/csv_field.hpp"
 #include "io/optics_file.hpp"
 #include "io/table_parts.hpp"
 
@@ -43,15 +44,35 @@ std::string spectrum_line(const OpticalTable::Emission& emission, std::size_t la
   return out + '\n';
 }
 
+std::string line_on_edges(const OpticalTable& table) {
+  const EdgeNames edges = edge_names(table);
+  if (table.in_columns)
+    return fmt::format("# layer: the column and the layer, from {} to {}\n", edges.first_m,
+                       edges.last_m);
+  const double end = table.last_m.back();
+  return fmt::format(
+      "# {}: the {} edge of a layer, which reaches {} to the next; the last one {}\n",
+      edges.first_m, edges.first, edges.onwards,
+      std::isinf(end) ? "is bottomless" : fmt::format("ends at {} m", end));
+}
+
+/// The names of the columns that a row begins with.
+std::string names_of_place(const OpticalTable& table) {
+  const EdgeNames edges = edge_names(table);
+  return table.in_columns ? fmt::format("layer,{},{}", edges.first_m, edges.last_m) : edges.first_m;
+}
+
+/// What a row of a layer begins with.
+std::string place_of(const OpticalTable& table, std::size_t layer) {
+  if (!table.in_columns) return fmt::format("{}", table.first_m[layer]);
+  return fmt::format("{},{},{}", csv_field(table.layer_name[layer]), table.first_m[layer],
+                     table.last_m[layer]);
+}
+
 std::string head(const OpticalTable& table, const OpticsOrigin& origin) {
-  const double end = table.edge_m.back();
   std::string out = fmt::format("# {}\n# Photic {}, {}\n", one_line(origin.title), origin.version,
                                 one_line(origin.history));
-  const EdgeNames edges = edge_names(table);
-  out +=
-      fmt::format("# {}: the {} edge of a layer, which reaches {} to the next; the last one {}\n",
-                  edges.first_m, edges.first, edges.onwards,
-                  std::isinf(end) ? "is bottomless" : fmt::format("ends at {} m", end));
+  out += line_on_edges(table);
   out +=
       "# a absorption, b scattering, c = a + b, bb backscattering, albedo = b / c, mean_cosine of "
       "the scattering angle\n";
@@ -59,9 +80,10 @@ std::string head(const OpticalTable& table, const OpticsOrigin& origin) {
     out += "# a_phytoplankton_per_m: the part of a that excites chlorophyll fluorescence\n";
   for (const auto& emission : table.emission) {
     for (std::size_t k = 0; k < table.layers(); ++k) {
-      out +=
-          fmt::format("# {} light, excited at {} nm, from depth_m {}: {} per m\n", emission.process,
-                      table.excitation_nm, table.edge_m[k], emission.coefficient_per_m[k]);
+      const std::string where = table.in_columns ? "in " + one_line(table.layer_name[k])
+                                                 : fmt::format("from depth_m {}", table.first_m[k]);
+      out += fmt::format("# {} light, excited at {} nm, {}: {} per m\n", emission.process,
+                         table.excitation_nm, where, emission.coefficient_per_m[k]);
       if (emission.coefficient_per_m[k] > 0) out += spectrum_line(emission, k);
     }
   }
@@ -96,12 +118,13 @@ std::vector<std::string> source_lines(const OpticalTable::Emission& emission) {
 
 std::string optics_csv(const OpticalTable& table, const OpticsOrigin& origin) {
   const auto columns = columns_of(table);
-  std::string out = head(table, origin) + edge_names(table).first_m + ",wavelength_nm";
+  std::string out = head(table, origin) + names_of_place(table) + ",wavelength_nm";
   for (const Column& column : columns) out += ',' + column.name;
   out += '\n';
   for (std::size_t i = 0; i < table.a_per_m.size(); ++i) {
     const std::size_t layer = i / table.wavelengths();
-    out += fmt::format("{},{}", table.edge_m[layer], table.wavelength_nm[i % table.wavelengths()]);
+    out +=
+        fmt::format("{},{}", place_of(table, layer), table.wavelength_nm[i % table.wavelengths()]);
     for (const Column& column : columns) out += fmt::format(",{}", column.values[i]);
     out += '\n';
   }

@@ -45,8 +45,8 @@ Json layer(const OpticalTable& table, std::size_t k) {
   };
   const EdgeNames edges = edge_names(table);
   Json out = {{"name", table.layer_name[k]},
-              {edges.first_m, table.edge_m[k]},
-              {edges.last_m, table.edge_m[k + 1]},
+              {edges.first_m, table.first_m[k]},
+              {edges.last_m, table.last_m[k]},
               {"a_per_m", of_layer(table.a_per_m)},
               {"b_per_m", of_layer(table.b_per_m)},
               {"c_per_m", of_layer(table.c_per_m())},

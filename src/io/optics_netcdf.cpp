@@ -34,13 +34,12 @@ void add_axes(NetcdfImage& file, const OpticalTable& table) {
   file.add_dimension("wavelength", table.wavelengths());
   file.add_dimension("angle", table.angles());
   file.add_dimension("bnds", 2);
-  file.add_variable("layer_name", {edges.axis}, table.layer_name,
-                    {{"long_name", "name of the layer"}});
-  std::vector<double> first, bounds;
-  for (std::size_t k = 0; k < table.layers(); ++k) {
-    first.push_back(table.edge_m[k]);
-    bounds.insert(bounds.end(), {table.edge_m[k], table.edge_m[k + 1]});
-  }
+  file.add_variable(
+      "layer_name", {edges.axis}, table.layer_name,
+      {{"long_name", table.in_columns ? "name of the column and the layer" : "name of the layer"}});
+  std::vector<double> bounds;
+  for (std::size_t k = 0; k < table.layers(); ++k)
+    bounds.insert(bounds.end(), {table.first_m[k], table.last_m[k]});
   Attributes attributes = {
       {"standard_name", edges.axis},
       {"long_name", fmt::format("{} of the {} edge of the layer", edges.axis, edges.first)},
@@ -50,7 +49,7 @@ void add_axes(NetcdfImage& file, const OpticalTable& table) {
       {"bounds", bounds_name}};
   if (table.of == medium::Layered::water)
     attributes.emplace_back("comment", "a bottomless layer ends at an infinite depth");
-  file.add_variable(edges.first_m, {edges.axis}, first, attributes);
+  file.add_variable(edges.first_m, {edges.axis}, table.first_m, attributes);
   file.add_variable(
       bounds_name, {edges.axis, "bnds"}, bounds,
       {{"long_name", table.of == medium::Layered::water ? "upper and lower edge of the layer"

@@ -63,9 +63,9 @@ std::string emission_line(const OpticalTable::Emission& emission, std::size_t la
 }
 
 std::string layer_text(const OpticalTable& table, std::size_t layer) {
-  const double bottom = table.edge_m[layer + 1];
+  const double bottom = table.last_m[layer];
   std::string out =
-      fmt::format("Layer \"{}\", from {:g} m {}\n", table.layer_name[layer], table.edge_m[layer],
+      fmt::format("Layer \"{}\", from {:g} m {}\n", table.layer_name[layer], table.first_m[layer],
                   std::isinf(bottom) ? "down, bottomless" : fmt::format("to {:g} m", bottom));
   out += totals(table, layer) + parts(table, layer);
   out += fmt::format("\n  light emitted, in photons per metre and photon of {:.6g} nm\n",

@@ -91,7 +91,8 @@ OpticalTable empty_table(const std::vector<double>& edge_m,
   table.of = Layered::air;
   table.wavelength_nm = wavelength_nm;
   table.angle_deg = air_angles_deg();
-  table.edge_m = edge_m;
+  table.first_m.assign(edge_m.begin(), edge_m.end() - 1);
+  table.last_m.assign(edge_m.begin() + 1, edge_m.end());
   for (std::size_t i = 1; i < edge_m.size(); ++i)
     table.layer_name.push_back(
         fmt::format("{:g} to {:g} km", edge_m[i - 1] / m_per_km, edge_m[i] / m_per_km));

@@ -21,6 +21,7 @@ namespace {
 /// The asymmetry of the lobe in which walks look for the laser's beam: as wide as light spreads in
 /// it.
 constexpr double beam_lobe_g = 0.9;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::int32_t conversion_phase(Medium& medium, Process process, const optics::Library& library) {
   if (process == Process::elastic) return 0;  // never used
@@ -33,8 +34,9 @@ std::int32_t conversion_phase(Medium& medium, Process process, const optics::Lib
 /// The table of line l, layer by layer; line 0 is the laser's and emits into the others.
 void add_line_tables(const scene::Scene& scene, const LayerOptics& optics_of,
                      const std::vector<EmittedLine>& emitted, std::size_t l, Medium& medium) {
-  for (std::size_t k = 0; k < scene.sea.layer.size(); ++k) {
-    const auto& layer = scene.sea.layer[k];
+  const auto layers = scene::layers_of(scene.sea);
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const scene::Layer& layer = layers[k].layer;
     const WaterOptics water = optics_of(layer, medium.line[l].wavelength_nm);
     const double c = water.a_per_m + water.b_per_m;
     medium.c.push_back(c);
@@ -49,22 +51,41 @@ void add_line_tables(const scene::Scene& scene, const LayerOptics& optics_of,
   }
 }
 
+/// The faces of the scene's columns, and which layers are theirs.
+Row row_of(const scene::Sea& sea) {
+  Row row;
+  if (sea.column.empty()) return row;
+  row.first_layer.clear();
+  row.face_m = {sea.column.front().x_min_m.value_or(-infinity)};
+  std::int32_t layer = 0;
+  for (const scene::Column& column : sea.column) {
+    row.first_layer.push_back(layer);
+    row.face_m.push_back(column.x_max_m.value_or(infinity));
+    layer += static_cast<std::int32_t>(column.layer.size());
+  }
+  row.y_min_m = sea.y_min_m.value_or(-infinity);
+  row.y_max_m = sea.y_max_m.value_or(infinity);
+  return row;
+}
+
 }  // namespace
 
 Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   const LayerOptics optics_of(scene, library);
   Medium medium;
-  medium.top.push_back(0.0);
+  medium.row = row_of(scene.sea);
   const double laser_nm = scene.source.wavelength_nm;
   std::vector<WaterOptics> at_laser;
-  for (const auto& layer : scene.sea.layer) {
-    medium.top.push_back(layer.bottom_depth_m.value_or(std::numeric_limits<double>::infinity()));
-    at_laser.push_back(optics_of(layer, laser_nm));
+  const auto layers = scene::layers_of(scene.sea);
+  for (const scene::PlacedLayer& at : layers) {
+    medium.top.push_back(at.top_m);
+    at_laser.push_back(optics_of(at.layer, laser_nm));
     std::vector<std::pair<std::string, double>> a_per_m;
     for (const Contribution& each : at_laser.back().contributions)
       a_per_m.emplace_back(each.name, each.a_per_m.value_or(0));
-    medium.absorbers.add(layer.name, a_per_m);
+    medium.absorbers.add(at.name, a_per_m);
   }
+  medium.top.push_back(layers.back()->bottom_depth_m.value_or(infinity));
   medium.line.push_back(make_line(scene.sea, Process::elastic, laser_nm));
   medium.line.front().counted_by = counted_by(scene, filters_of(scene), Process::elastic, laser_nm);
   auto light = emitted_light(scene, library, at_laser);

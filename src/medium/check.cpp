@@ -20,8 +20,6 @@ namespace {
 
 using scene::below;
 
-std::string layer_path(std::size_t k) { return below("sea.layer", k); }
-
 /// A wavelength that light has: where the scene asks for it, and why, as stated there and
 /// elsewhere.
 struct Wavelength {
@@ -32,10 +30,13 @@ struct Wavelength {
 class Checker {
  public:
   Checker(const scene::Scene& scene, const optics::Library& library, scene::Findings& findings)
-      : scene_(scene), library_(library), findings_(findings), optics_of_(scene_, library) {
+      : scene_(scene),
+        layers_(scene::layers_of(scene_.sea)),
+        library_(library),
+        findings_(findings),
+        optics_of_(scene_, library) {
     drop_bad_channels();
-    for (std::size_t k = 0; k < scene_.sea.layer.size(); ++k)
-      readable_.push_back(findings.good({below(layer_path(k), "iop")}));
+    for (const auto& at : layers_) readable_.push_back(findings.good({below(at.path, "iop")}));
     bed_readable_ = findings.good({"bottom"});
     surface_readable_ = findings.good({"sea.surface"});
     if (scene_.oil && findings.good({"oil"}))
@@ -86,6 +87,7 @@ class Checker {
   void report(const std::string& path, const Diagnostic& d, const std::string& why);
 
   scene::Scene scene_;  ///< without the channels that are bad
+  std::vector<scene::PlacedLayer> layers_;
   std::vector<std::string> channel_path_;
   std::vector<bool> readable_;  ///< the layers whose optics can be asked for
   bool bed_readable_ = false, surface_readable_ = false;
@@ -161,9 +163,9 @@ void Checker::check_tables() {
   if (scene_.optics.phytoplankton == "table" && findings_.good({"optics.phytoplankton", path}))
     ask(path,
         [&] { return optics::phytoplankton_table(scene_.optics.phytoplankton_table.data()); });
-  for (std::size_t k = 0; k < scene_.sea.layer.size(); ++k)
-    if (const auto& function = scene_.sea.layer[k].phase_function)
-      check_phase_function(*function, below(layer_path(k), "phase_function"));
+  for (const auto& at : layers_)
+    if (at->phase_function)
+      check_phase_function(*at->phase_function, below(at.path, "phase_function"));
   if (!scene_.atmosphere) return;
   for (std::size_t k = 0; k < scene_.atmosphere->layer.size(); ++k)
     if (const auto& function = scene_.atmosphere->layer[k].phase_function)
@@ -276,13 +278,13 @@ void Checker::check_film(const Wavelength& light) {
 }
 
 std::optional<WaterOptics> Checker::check_layer(std::size_t k, const Wavelength& light) {
-  const auto& layer = scene_.sea.layer[k];
+  const scene::Layer& layer = layers_[k].layer;
   const auto all = [&] { return optics_of_(layer, light.nm); };
   if (layer.phase_function)
-    check_spheres(*layer.phase_function, below(layer_path(k), "phase_function"), light);
+    check_spheres(*layer.phase_function, below(layers_[k].path, "phase_function"), light);
   if (!readable_[k]) return std::nullopt;
-  if (!layer.iop.empty()) return ask(below(layer_path(k), "iop"), all, light.why_there);
-  const std::string type = below(layer_path(k), "jerlov");
+  if (!layer.iop.empty()) return ask(below(layers_[k].path, "iop"), all, light.why_there);
+  const std::string type = below(layers_[k].path, "jerlov");
   if (!layer.jerlov.empty() && findings_.good({type})) return ask(type, all, light.why_there);
   if (!findings_.good({type, "optics.set", "optics.water_absorption", "optics.water_scattering",
                        "optics.phytoplankton", "optics.phytoplankton_file", "optics.minerals",
@@ -296,12 +298,12 @@ std::optional<WaterOptics> Checker::check_layer(std::size_t k, const Wavelength&
   ask_for([&] { return optics_of_.water_scattering(layer, light.nm); });
   ask_for([&] { return optics_of_.phytoplankton(layer, light.nm); });
   ask_for([&] { return optics_of_.minerals(layer, light.nm); });
-  return good ? ask(layer_path(k), all, light.why_there) : std::nullopt;
+  return good ? ask(layers_[k].path, all, light.why_there) : std::nullopt;
 }
 
 std::vector<std::optional<WaterOptics>> Checker::check_layers(const Wavelength& light) {
   std::vector<std::optional<WaterOptics>> out;
-  for (std::size_t k = 0; k < scene_.sea.layer.size(); ++k) out.push_back(check_layer(k, light));
+  for (std::size_t k = 0; k < layers_.size(); ++k) out.push_back(check_layer(k, light));
   return out;
 }
 
@@ -361,9 +363,9 @@ void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>
     if (reported_.size() > before) reported = line.process;
   }
   for (std::size_t k = 0; k < at_laser.size(); ++k) {
-    const std::string yield = below(layer_path(k), "chlorophyll_yield");
+    const std::string yield = below(layers_[k].path, "chlorophyll_yield");
     if (at_laser[k] && findings_.good({yield}))
-      ask(scene_.sea.layer[k].iop.empty() ? yield : below(layer_path(k), "iop"),
+      ask(layers_[k]->iop.empty() ? yield : below(layers_[k].path, "iop"),
           [&] { return emitted_per_m(light->lines, scene_, k, at_laser[k]->a_per_m); });
   }
   if (complete) remark_dark_channels(light->lines);
@@ -371,7 +373,7 @@ void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>
 
 void Checker::check_light() {
   const std::string path = "source.wavelength_nm";
-  if (!findings_.good({path}) || scene_.sea.layer.empty()) return;
+  if (!findings_.good({path}) || layers_.empty()) return;
   const Wavelength laser{scene_.source.wavelength_nm, path, "", "the source emits there"};
   check_index(Process::elastic, laser);
   check_bed(laser);

@@ -48,7 +48,7 @@ bool is(const EmittedLine& emitted, const Line& line) {
   return emitted.process == line.process && emitted.wavelength_nm == line.wavelength_nm;
 }
 
-[[noreturn]] void refuse(const std::string& who, const scene::Layer& layer,
+[[noreturn]] void refuse(const std::string& who, const scene::PlacedLayer& layer,
                          const std::string& what) {
   throw InputError(
       {{"", 0, 0,
@@ -63,7 +63,8 @@ void check_emitted(const std::string& who, const scene::Scene& scene, const Medi
     if (std::ranges::any_of(medium.line, [&](const Line& line) { return is(e, line); })) continue;
     for (std::size_t k = 0; k < e.coefficient_per_m.size(); ++k) {
       if (e.coefficient_per_m[k] > 0)
-        refuse(who, scene.sea.layer[k], fmt::format("emits {} light", scene::word_of(e.process)));
+        refuse(who, scene::layers_of(scene.sea)[k],
+               fmt::format("emits {} light", scene::word_of(e.process)));
     }
   }
 }
@@ -79,17 +80,17 @@ LayerCoefficients waters_of(const std::string& who, const scene::Scene& scene,
                             const optics::Library& library, const Medium& medium,
                             PhaseTables& tables) {
   const LayerOptics optics_of(scene, library);
+  const auto layers = scene::layers_of(scene.sea);
   std::vector<WaterOptics> at_laser;
-  for (const auto& layer : scene.sea.layer)
-    at_laser.push_back(optics_of(layer, scene.source.wavelength_nm));
+  for (const auto& at : layers) at_laser.push_back(optics_of(at.layer, scene.source.wavelength_nm));
   const auto emitted = emitted_light(scene, library, at_laser).lines;
   check_emitted(who, scene, medium, emitted);
   for (std::size_t k = 0; k < at_laser.size(); ++k)
     emitted_per_m(emitted, scene, k, at_laser[k].a_per_m);
   LayerCoefficients out;
   for (const Line& line : medium.line) {
-    for (std::size_t k = 0; k < scene.sea.layer.size(); ++k) {
-      const auto& layer = scene.sea.layer[k];
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+      const scene::Layer& layer = layers[k].layer;
       const WaterOptics water = optics_of(layer, line.wavelength_nm);
       Coefficients w{
           water.a_per_m + water.b_per_m, water.b_per_m, emitted_into(line, k, emitted), {}};
@@ -128,15 +129,16 @@ void add_environments(const scene::Scene& scene, const optics::Library& library,
   PhaseTables tables(medium);
   const LayerCoefficients reference = waters_of("", scene, library, medium, tables);
   const auto variations = variations_of(scene, reference, library, medium, tables);
-  const std::size_t layers = scene.sea.layer.size();
+  const auto layers = scene::layers_of(scene.sea);
   for (const Variation& v : variations) {
     for (std::size_t i = 0; i < reference.size(); ++i) {
       const Coefficients& here = reference[i];
-      const scene::Layer& layer = scene.sea.layer[i % layers];
+      const scene::PlacedLayer& layer = layers[i % layers.size()];
       if (here.b_per_m == 0 && v.to[i].b_per_m > 0) refuse(v.name, layer, "scatters light");
       if (here.emitted_per_m == 0 && v.to[i].emitted_per_m > 0)
-        refuse(v.name, layer,
-               fmt::format("emits {} light", scene::word_of(medium.line[i / layers].process)));
+        refuse(
+            v.name, layer,
+            fmt::format("emits {} light", scene::word_of(medium.line[i / layers.size()].process)));
     }
   }
   add_variations(reference, variations, scene.environment.size(), medium.environments);
@@ -145,7 +147,7 @@ void add_environments(const scene::Scene& scene, const optics::Library& library,
 void check_environments(const scene::Scene& scene, const optics::Library& library,
                         scene::Findings& findings) {
   const auto known = [](const auto& list, auto sea) {
-    return list.empty() || !sea(list.front()).layer.empty();
+    return list.empty() || !scene::layers_of(sea(list.front())).empty();
   };
   if (!scene.has_environments() ||
       !known(scene.environment, [](const auto& e) -> auto& { return e.sea; }) ||

@@ -34,8 +34,9 @@ std::vector<EmittedLine> oil_lines(const scene::Scene& scene, const optics::Oil&
   const auto spectrum = optics::emission_above(oil, scene.source.wavelength_nm);
   std::vector<EmittedLine> out;
   for (const BandLine& line : lines_of(Process::oil, spectrum, scene))
-    out.push_back({Process::oil, line.wavelength_nm, std::vector(scene.sea.layer.size(), 0.0),
-                   line.counted_by, line.photons});
+    out.push_back({Process::oil, line.wavelength_nm,
+                   std::vector(scene::layers_of(scene.sea).size(), 0.0), line.counted_by,
+                   line.photons});
   return out;
 }
 

@@ -35,9 +35,10 @@ std::vector<Emitter> emitters_of(const scene::Scene& scene, const optics::Librar
                                  const std::vector<WaterOptics>& at_laser) {
   const double laser_nm = scene.source.wavelength_nm;
   const scene::Optics& choice = scene.optics;
+  const auto layers = scene::layers_of(scene.sea);
   std::vector<double> by_chlorophyll, by_cdom;
   for (std::size_t k = 0; k < at_laser.size(); ++k) {
-    by_chlorophyll.push_back(at_laser[k].a_exciting_per_m * scene.sea.layer[k].chlorophyll_yield);
+    by_chlorophyll.push_back(at_laser[k].a_exciting_per_m * layers[k]->chlorophyll_yield);
     by_cdom.push_back(at_laser[k].a_cdom_per_m);
   }
   std::vector<Emitter> out{
@@ -151,15 +152,16 @@ double emitted_per_m(const std::vector<EmittedLine>& lines, const scene::Scene& 
   double sum = 0;
   for (const EmittedLine& line : lines) sum += line.coefficient_per_m[layer];
   if (sum <= a_per_m) return sum;
-  const scene::Layer& l = scene.sea.layer[layer];
+  const auto layers = scene::layers_of(scene.sea);
+  const scene::PlacedLayer& l = layers[layer];
   throw InputError(
       {{"", 0, 0,
         fmt::format("layer \"{}\" emits more Raman and fluorescence light ({:.3g} 1/m) than it "
                     "absorbs ({:.3g} 1/m)",
                     l.name, sum, a_per_m),
-        l.iop.empty() ? "choose other data in [optics], or give the layer's iop"
-                      : "a is the total absorption, and includes the light that is emitted at "
-                        "other wavelengths"}});
+        l->iop.empty() ? "choose other data in [optics], or give the layer's iop"
+                       : "a is the total absorption, and includes the light that is emitted at "
+                         "other wavelengths"}});
 }
 
 }  // namespace photic::medium

@@ -33,8 +33,8 @@ void add_phase(const optics::PhaseTable& phase, OpticalTable& table) {
 /// The optics of all layers at the laser's wavelength.
 std::vector<WaterOptics> at_laser(const scene::Scene& scene, const LayerOptics& optics_of) {
   std::vector<WaterOptics> out;
-  for (const scene::Layer& layer : scene.sea.layer)
-    out.push_back(optics_of(layer, scene.source.wavelength_nm));
+  for (const scene::PlacedLayer& at : scene::layers_of(scene.sea))
+    out.push_back(optics_of(at.layer, scene.source.wavelength_nm));
   return out;
 }
 
@@ -69,7 +69,7 @@ std::vector<OpticalTable::Emission> emission_in(scene::Scene scene, const optics
   const auto light = emitted_light(scene, library, at_laser(scene, optics_of));
   std::vector<OpticalTable::Emission> out;
   for (const Process process : processes)
-    out.push_back(emission_of(process, light, scene.sea.layer.size()));
+    out.push_back(emission_of(process, light, scene::layers_of(scene.sea).size()));
   return out;
 }
 
@@ -126,13 +126,15 @@ OpticalTable optical_table(const scene::Scene& scene, const optics::Library& lib
   OpticalTable table;
   table.wavelength_nm = wavelength_nm;
   table.angle_deg = table_angles_deg();
-  table.edge_m = {0.0};
+  table.in_columns = !scene.sea.column.empty();
   WatersOptics waters;
   Backscattering backscattering_in(optics_of);
   std::vector<BackscatteringByName> backscattering;
-  for (const scene::Layer& layer : scene.sea.layer) {
-    table.layer_name.push_back(layer.name);
-    table.edge_m.push_back(layer.bottom_depth_m.value_or(std::numeric_limits<double>::infinity()));
+  for (const scene::PlacedLayer& at : scene::layers_of(scene.sea)) {
+    const scene::Layer& layer = at.layer;
+    table.layer_name.push_back(at.name);
+    table.first_m.push_back(at.top_m);
+    table.last_m.push_back(layer.bottom_depth_m.value_or(std::numeric_limits<double>::infinity()));
     for (const double nm : wavelength_nm) {
       waters.push_back(optics_of(layer, nm));
       backscattering.push_back(backscattering_in(layer, nm, waters.back()));

@@ -37,9 +37,10 @@ struct OpticalTable {
 
   Layered of = Layered::water;
   std::vector<std::string> layer_name;
-  /// Depths of upper edges, and of the end of the last layer, which may be infinite; altitudes of
-  /// lower edges, and of the top.
-  std::vector<double> edge_m;
+  bool in_columns = false;  ///< side by side: `layer_name` has the column, too
+  /// The edges of each layer: depths of the upper and of the lower one, which may be infinite;
+  /// altitudes of the lower and of the upper one.
+  std::vector<double> first_m, last_m;
   std::vector<double> wavelength_nm;
   std::vector<double> angle_deg;
   std::vector<double> a_per_m, b_per_m, backscatter_fraction, mean_cosine;

@@ -13,10 +13,11 @@ namespace {
 std::string at(std::size_t i, const char* key) { return fmt::format("telescope.{}.{}", i, key); }
 
 template <class Named>
-void check_names(const std::vector<Named>& all, const std::string& section, Findings& findings) {
+void check_names(const std::vector<Named>& all, const std::string& path_of_all,
+                 const std::string& section, Findings& findings) {
   std::map<std::string, std::size_t> seen;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string path = below(below(section, i), "name");
+    const std::string path = below(below(path_of_all, i), "name");
     if (!findings.good({path})) continue;
     const auto [first, is_new] = seen.emplace(all[i].name, i);
     if (!is_new)
@@ -183,10 +184,12 @@ void check_telescope(const Scene& scene, std::size_t i, Findings& findings) {
 void check_instrument(const Scene& scene, Findings& findings) {
   check_source(scene, findings);
   for (std::size_t i = 0; i < scene.telescope.size(); ++i) check_telescope(scene, i, findings);
-  check_names(scene.telescope, "telescope", findings);
-  check_names(scene.channel, "channel", findings);
-  check_names(scene.sea.layer, "sea.layer", findings);
-  check_names(scene.environment, "environment", findings);
+  check_names(scene.telescope, "telescope", "telescope", findings);
+  check_names(scene.channel, "channel", "channel", findings);
+  check_names(scene.sea.column, "sea.column", "sea.column", findings);
+  for (const Pile& pile : piles_of(scene.sea))
+    check_names(pile.layer, pile.path, pile.section, findings);
+  check_names(scene.environment, "environment", "environment", findings);
 }
 
 }  // namespace photic::scene

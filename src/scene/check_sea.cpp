@@ -15,14 +15,15 @@
 namespace photic::scene {
 namespace {
 
-void check_depths(const std::vector<Layer>& layers, Findings& findings) {
+void check_depths(const Pile& pile, Findings& findings) {
+  const std::vector<Layer>& layers = pile.layer;
   double top = 0.0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    const std::string path = below(below("sea.layer", i), "bottom_depth_m");
+    const std::string path = below(below(pile.path, i), "bottom_depth_m");
     if (!findings.good({path})) continue;
     const auto& bottom = layers[i].bottom_depth_m;
     if (!bottom && i + 1 < layers.size())
-      findings.add(path, "'bottom_depth_m' is missing in [[sea.layer]]",
+      findings.add(path, fmt::format("'bottom_depth_m' is missing in [[{}]]", pile.section),
                    "only the last layer may be bottomless");
     if (bottom && *bottom <= top)
       findings.add(
@@ -70,7 +71,8 @@ void check_backscatter_fraction(const IopEntry& entry, const std::string& path,
 }
 
 /// The phase function is given, or follows from all entries' bb_per_m.
-void check_phase_source(const Layer& layer, const std::string& layer_path, Findings& findings) {
+void check_phase_source(const Layer& layer, const std::string& layer_path,
+                        const std::string& section, Findings& findings) {
   const std::string iop = below(layer_path, "iop");
   const std::string function = below(layer_path, "phase_function");
   const bool by_backscatter = layer.iop.front().bb_per_m.has_value();
@@ -81,19 +83,22 @@ void check_phase_source(const Layer& layer, const std::string& layer_path, Findi
     check_backscatter_fraction(layer.iop[k], below(iop, k), findings);
   }
   if (by_backscatter && layer.phase_function)
-    findings.add(function, "'bb_per_m' and 'phase_function' exclude each other in [[sea.layer]]",
-                 "keep one of them");
+    findings.add(
+        function,
+        fmt::format("'bb_per_m' and 'phase_function' exclude each other in [[{}]]", section),
+        "keep one of them");
   if (!by_backscatter && !layer.phase_function)
-    findings.add(function, "'phase_function' is missing in [[sea.layer]]",
+    findings.add(function, fmt::format("'phase_function' is missing in [[{}]]", section),
                  std::string("add it: ") + phase_function_meaning);
 }
 
-void check_iop(const Layer& layer, std::size_t i, Findings& findings) {
-  const std::string path = below(below("sea.layer", i), "iop");
+void check_iop(const Pile& pile, std::size_t i, Findings& findings) {
+  const Layer& layer = pile.layer[i];
+  const std::string path = below(below(pile.path, i), "iop");
   if (layer.iop.empty() || !findings.good({path})) return;
   for (std::size_t k = 0; k < layer.iop.size(); ++k)
     check_iop_entry(layer, k, below(path, k), findings);
-  check_phase_source(layer, below("sea.layer", i), findings);
+  check_phase_source(layer, below(pile.path, i), pile.section, findings);
 }
 
 void check_mixture(const PhaseFunction& mixture, const std::string& path, Findings& findings) {
@@ -145,12 +150,13 @@ constexpr Plenty plenties[] = {
     {"minerals_g_m3", &Layer::minerals_g_m3, 1e4, "g/m3", "what has more is mud"}};
 
 /// A remark that layers cut from one profile share is made once, with the greatest value.
-void remark_plenty(const std::vector<Layer>& layers, const Plenty& plenty, Findings& findings) {
+void remark_plenty(const std::vector<PlacedLayer>& layers, const Plenty& plenty,
+                   Findings& findings) {
   std::map<std::tuple<std::string, int, int>, std::pair<double, std::string>> greatest;
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    const double value = layers[i].*plenty.value;
+  for (const PlacedLayer& at : layers) {
+    const double value = at.layer.*plenty.value;
     if (!(value > plenty.most)) continue;
-    const std::string path = below(below("sea.layer", i), plenty.key);
+    const std::string path = below(at.path, plenty.key);
     if (!findings.good({path})) continue;
     const Place place = findings.place_of(path);
     auto& most = greatest[{place.file, place.line, place.column}];
@@ -165,21 +171,21 @@ void remark_plenty(const std::vector<Layer>& layers, const Plenty& plenty, Findi
 }  // namespace
 
 std::optional<double> sea_bed_m(const Scene& scene, const Findings& findings) {
-  const std::vector<Layer>& layers = scene.sea.layer;
-  if (layers.empty()) return std::nullopt;
-  const std::string path = below(below("sea.layer", layers.size() - 1), "bottom_depth_m");
-  return findings.good({path}) ? layers.back().bottom_depth_m : std::nullopt;
+  const Pile pile = piles_of(scene.sea).front();  // the others have the same bed
+  if (pile.layer.empty()) return std::nullopt;
+  const std::string path = below(below(pile.path, pile.layer.size() - 1), "bottom_depth_m");
+  return findings.good({path}) ? pile.layer.back().bottom_depth_m : std::nullopt;
 }
 
 void check_sea(const Scene& scene, Findings& findings) {
-  const std::vector<Layer>& layers = scene.sea.layer;
-  check_depths(layers, findings);
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    check_iop(layers[i], i, findings);
-    if (layers[i].phase_function)
-      check_phase_function(*layers[i].phase_function,
-                           below(below("sea.layer", i), "phase_function"), findings);
+  for (const Pile& pile : piles_of(scene.sea)) {
+    check_depths(pile, findings);
+    for (std::size_t i = 0; i < pile.layer.size(); ++i) check_iop(pile, i, findings);
   }
+  const auto layers = layers_of(scene.sea);
+  for (const PlacedLayer& at : layers)
+    if (at->phase_function)
+      check_phase_function(*at->phase_function, below(at.path, "phase_function"), findings);
   for (const Plenty& plenty : plenties) remark_plenty(layers, plenty, findings);
 }
 

@@ -48,11 +48,18 @@ void check_facets(const Scene& scene, Findings& findings) {
                  "write that, leave facets out, or leave the telescopes out");
 }
 
+std::optional<std::string> lacks_for_waves(const Scene& scene) {
+  const Surface& surface = scene.sea.surface;
+  if (!surface.is_rough()) return {};
+  if (!surface.is_one_dimensional() || !std::ranges::any_of(scene.telescope, looks_flat)) return {};
+  return fmt::format("one-dimensional waves seen by rays within {} degrees of the horizontal",
+                     flattest_degrees);
+}
+
 /// Refuses settings for which only the flat surface is known.
 void check_simulation(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
-  if (const auto reason = bidirectional_lacks(scene);
-      reason && s.estimator == Estimator::bidirectional)
+  if (const auto reason = lacks_for_waves(scene); reason && s.estimator == Estimator::bidirectional)
     findings.add("simulation.estimator", "the bidirectional estimator cannot treat " + *reason,
                  "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
   if (s.reception == Reception::overlap)
@@ -79,11 +86,10 @@ void check_whitecaps(const Surface& surface, Findings& findings) {
 }  // namespace
 
 std::optional<std::string> bidirectional_lacks(const Scene& scene) {
-  const Surface& surface = scene.sea.surface;
-  if (!surface.is_rough()) return {};
-  if (!surface.is_one_dimensional() || !std::ranges::any_of(scene.telescope, looks_flat)) return {};
-  return fmt::format("one-dimensional waves seen by rays within {} degrees of the horizontal",
-                     flattest_degrees);
+  if (!scene.sea.column.empty())
+    return "columns of water: five of its seven strategies move a walk and need a sea that is "
+           "alike everywhere, and what stays does not converge on peaked water";
+  return lacks_for_waves(scene);
 }
 
 void check_surface(const Scene& scene, Findings& findings) {

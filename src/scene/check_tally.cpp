@@ -73,10 +73,10 @@ struct Extent {
   double from, to;
 };
 
-std::vector<Extent> extents_of_water(const Scene& scene) {
+std::vector<Extent> extents_of(const Pile& pile) {
   std::vector<Extent> out;
   double top = 0;
-  for (const Layer& layer : scene.sea.layer) {
+  for (const Layer& layer : pile.layer) {
     if (!layer.bottom_depth_m) break;
     out.push_back({top, *layer.bottom_depth_m});
     top = *layer.bottom_depth_m;
@@ -120,8 +120,9 @@ void check_irradiance(const Scene& scene, std::size_t i, Findings& findings) {
   const Tally& tally = scene.tally[i];
   const std::string slab = key_of(i, "slab_m");
   if (!tally.slab_m || !findings.good({slab, key_of(i, "depth_m"), key_of(i, "height_m")})) return;
-  if (findings.good({"sea.layer"}))
-    check_slab(*tally.slab_m, tally.depth_m, extents_of_water(scene), slab, findings);
+  for (const Pile& pile : piles_of(scene.sea))
+    if (findings.good({pile.path, slab}))
+      check_slab(*tally.slab_m, tally.depth_m, extents_of(pile), slab, findings);
   if (findings.good({"atmosphere.layer", slab}))
     check_slab(*tally.slab_m, tally.height_m, extents_of_air(scene), slab, findings);
 }
@@ -189,6 +190,10 @@ void check_radiance(const Scene& scene, std::size_t i, Findings& findings) {
                  "of a source with a place a radiance would be an integral over the horizontal "
                  "plane",
                  "take a beam without position_m, or kind = \"irradiance\"");
+  if (!scene.sea.is_alike_everywhere() && findings.good({"sea"}))
+    findings.add(key_of(i, "kind"),
+                 "a radiance is that of a sea that is alike everywhere, and this one has columns",
+                 "take kind = \"irradiance\", or one column without ends");
   if (scene.sea.surface.is_rough() && findings.good({"sea.surface"}))
     findings.add(key_of(i, "kind"), "radiances are known below and above a flat surface alone",
                  "write sea.surface = { model = \"flat\" }, or take kind = \"irradiance\"");

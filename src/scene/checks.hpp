@@ -10,6 +10,8 @@
 namespace photic::scene {
 
 void check_sea(const Scene& scene, Findings& findings);
+/// Columns of water, and what cannot do with them.
+void check_columns(const Scene& scene, Findings& findings);
 /// Waves and whitecaps, and what cannot do with them.
 void check_surface(const Scene& scene, Findings& findings);
 /// A film of oil, and what cannot do with it.

@@ -1,4 +1,5 @@
-// The keys of [optics], [sea], [[sea.layer]], [bottom] and [oil] (see describe_instrument.hpp).
+// The keys of [optics], [sea], [[sea.layer]], [[sea.column]], [bottom] and [oil] (see
+// describe_instrument.hpp).
 #pragma once
 
 #include "optics/fournier_forand.hpp"
@@ -268,6 +269,21 @@ void describe(V& v, Surface& s) {
 }
 
 template <class V>
+void describe(V& v, Column& c) {
+  v.optional("name", c.name, Text{},
+             "what messages, results and --set call it; by default column0, column1 …");
+  v.optional(expert("x_min_m"), c.x_min_m, any_number,
+             "the x in m where the first column begins; by default it has no end there");
+  v.optional(expert("x_max_m"), c.x_max_m, any_number,
+             "the x in m where the column ends and the next one begins; by default the last one "
+             "has no end there");
+  v.table(expert("oil"), c.oil, "a film of oil on this column alone");
+  v.sections("layer", c.layer, Need::required, "its layers of water from the surface down");
+  v.section("bottom", c.bottom, Need::optional,
+            "the sea bed of this column, where its last layer ends");
+}
+
+template <class V>
 void describe(V& v, Sea& s) {
   v.optional("salinity_psu", s.salinity_psu, salinity_rule, "the salinity in PSU");
   v.optional("temperature_c", s.temperature_c, temperature_rule, "the temperature in C");
@@ -276,9 +292,26 @@ void describe(V& v, Sea& s) {
   v.optional(expert("group_index"), s.group_index, from_to(1.0, 2.0),
              "replaces the group index from salinity and temperature, at all wavelengths");
   v.table("surface", s.surface, "the sea surface");
-  v.sections("layer", s.layer, Need::required, "the layers of water from the surface down");
-  v.in_place_of("iop_table", "layer", IopTableKey{},
-                "a file of optical properties by depth and wavelength, instead of layers");
+  v.one_of(option(s.column.empty(),
+                  [&](auto& w) {
+                    w.sections("layer", s.layer, Need::required,
+                               "the layers of water from the surface down");
+                  }),
+           option(!s.column.empty(),
+                  [&](auto& w) {
+                    w.sections(expert("column"), s.column, Need::required,
+                               "columns of water side by side along x, each with its own layers");
+                    w.optional(expert("y_min_m"), s.y_min_m, any_number,
+                               "the y in m where all columns begin; by default they have no end "
+                               "there");
+                    w.optional(expert("y_max_m"), s.y_max_m, any_number,
+                               "the y in m where all columns end; by default they have no end "
+                               "there");
+                  }),
+           option(false, [&](auto& w) {
+             w.expanded("iop_table", IopTableKey{},
+                        "a file of optical properties by depth and wavelength, instead of layers");
+           }));
   v.expanded(expert("profile_tolerance"), profile_tolerance_rule,
              "how far constituents may depart from their mean in the layers that profiles are cut "
              "into, relative to their greatest value, temperatures to 20 C, salinities to "

@@ -16,6 +16,8 @@ namespace {
 
 constexpr const char* bottom_key = "bottom_depth_m";
 constexpr const char* name_key = "name";
+constexpr const char* layer_key = "layer";
+constexpr const char* column_key = "column";
 
 std::optional<double> number_of(const Node* node) {
   double value = 0;
@@ -35,12 +37,14 @@ void set_number(Node& table, const std::string& key, double value) {
   set(table, key, {.value = value, .place = old ? old->place : table.place});
 }
 
-/// Takes the layers of a document one by one, and says what they become.
+/// Takes the layers of a pile one by one, and says what they become.
 class LayerExpander {
  public:
-  LayerExpander(const Node::Array& layers, const OtherFiles& files, double tolerance,
-                const Cuts* scene_cuts, Findings& findings)
+  /// `path`: of the layers.
+  LayerExpander(const Node::Array& layers, std::string path, const OtherFiles& files,
+                double tolerance, const Cuts* scene_cuts, Findings& findings)
       : layers_(layers),
+        path_(std::move(path)),
         keys_(profiled_keys()),
         files_(files),
         tolerance_(tolerance),
@@ -100,7 +104,7 @@ class LayerExpander {
     for (const ProfiledKey& key : keys_) {
       const Node* node = layers_[i].find(key.key);
       if (!node || !node->as<Node::Table>()) continue;
-      const std::string path = below(below("sea.layer", out.size()), key.key);
+      const std::string path = below(below(path_, out.size()), key.key);
       if (span) {
         if (auto profile = read_profile(*node, path, key, *span, files_, findings_))
           found.push_back({key.key, path, node->place, {std::move(*profile), key.scale}, key.rule});
@@ -179,6 +183,7 @@ class LayerExpander {
   }
 
   const Node::Array& layers_;
+  const std::string path_;
   const std::vector<ProfiledKey> keys_;
   const OtherFiles& files_;
   double tolerance_;
@@ -197,21 +202,98 @@ double tolerance_of(const Node& sea, Findings& findings) {
   return tolerance;
 }
 
-/// The layer that a part of a path names.
-std::optional<std::size_t> layer_called(const Node::Array& layers, const std::string& part) {
+/// The element that a part of a path names, which by default is called `stem` and its number.
+std::optional<std::size_t> element_called(const Node::Array& elements, const std::string& part,
+                                          const std::string& stem) {
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
   if (error == std::errc() && end == part.data() + part.size())
-    return index < layers.size() ? std::optional(index) : std::nullopt;
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    const Node* name = layers[i].find(name_key);
+    return index < elements.size() ? std::optional(index) : std::nullopt;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const Node* name = elements[i].find(name_key);
+    if (!name && part == fmt::format("{}{}", stem, i)) return i;
     if (name && name->as<std::string>() && *name->as<std::string>() == part) return i;
   }
   return std::nullopt;
 }
 
+/// The elements of an array of tables; null if it is none.
+Node::Array* tables_in(Node* node) {
+  auto* elements = node ? node->as<Node::Array>() : nullptr;
+  const auto is_table = [](const Node& element) { return element.as<Node::Table>() != nullptr; };
+  return elements && std::ranges::all_of(*elements, is_table) ? elements : nullptr;
+}
+
+/// The layers of a sea or a column in the document, and what they become.
+struct ExpandedPile {
+  Node::Array* layers = nullptr;  ///< null: what is there is refused where it is read
+  std::string path;               ///< "sea.layer", "sea.column.0.layer"
+  Node::Array before = {};        ///< the layers as the file has them
+  Cuts cuts = {};
+};
+
+/// Those of the sea, if it has any, and those of each of its columns.
+std::vector<ExpandedPile> piles_in(Node& sea) {
+  std::vector<ExpandedPile> out;
+  if (Node* layers = sea.find(layer_key)) out.push_back({tables_in(layers), "sea.layer"});
+  auto* columns = tables_in(sea.find(column_key));
+  for (std::size_t i = 0; columns && i < columns->size(); ++i)
+    out.push_back({tables_in((*columns)[i].find(layer_key)),
+                   below(below(below("sea", column_key), i), layer_key)});
+  return out;
+}
+
+/// Makes the layers of a pile homogeneous.
+void expand(ExpandedPile& pile, const OtherFiles& files, double tolerance, const Cuts* scene_cuts,
+            Findings& findings) {
+  if (!pile.layers) return;
+  pile.before = *pile.layers;
+  LayerExpander expander(pile.before, pile.path, files, tolerance, scene_cuts, findings);
+  for (std::size_t i = 0; i < pile.before.size(); ++i) expander.expand(i);
+  expander.name_layers();
+  pile.cuts = std::move(expander.cuts);
+  *pile.layers = std::move(expander.out);
+}
+
+/// The layers that a path goes through: "sea.layer", or, by the name or the number of a column,
+/// "sea.column.0.layer".
+std::optional<std::string> pile_of(const std::vector<std::string>& parts, Node& sea) {
+  if (parts.size() > 3 && parts[0] == "sea" && parts[1] == layer_key) return "sea.layer";
+  if (parts.size() < 6 || parts[0] != "sea" || parts[1] != column_key || parts[3] != layer_key)
+    return std::nullopt;
+  const auto* columns = tables_in(sea.find(column_key));
+  const auto i = columns ? element_called(*columns, parts[2], column_key) : std::nullopt;
+  if (!i) return std::nullopt;
+  return below(below(below("sea", column_key), *i), layer_key);
+}
+
+/// The path of a parameter where its layers are now; nothing if it is in none of the pile's, or in
+/// a layer that has been cut, which is refused at a place.
+std::optional<std::string> moved(const std::string& path, const ExpandedPile& pile,
+                                 const std::string& refused, const Place& place,
+                                 Findings& findings) {
+  const auto parts = components(path);
+  const std::size_t at = components(pile.path).size();
+  const auto i = element_called(pile.before, parts[at], layer_key);
+  if (!i) return std::nullopt;
+  if (pile.cuts[*i].size() > 1) {
+    findings.add(refused, place,
+                 fmt::format("'{}' is in a layer that its profiles cut into {}: it has no single "
+                             "value for a derivative",
+                             path, pile.cuts[*i].size()),
+                 "compare environments, or take the derivative in the scene that `photic show` "
+                 "writes");
+    return std::nullopt;
+  }
+  std::size_t now = 0;
+  for (std::size_t k = 0; k < *i; ++k) now += std::max<std::size_t>(pile.cuts[k].size(), 1);
+  std::string out = below(pile.path, now);
+  for (std::size_t p = at + 1; p < parts.size(); ++p) out = below(out, parts[p]);
+  return out;
+}
+
 /// Derivatives are with respect to values of the layers that there are now.
-void move_sensitivities(Node& document, const Node::Array& layers, const Cuts& cuts,
+void move_sensitivities(Node& document, const std::vector<ExpandedPile>& piles,
                         Findings& findings) {
   Node* sensitivity = document.find("sensitivity");
   auto* elements = sensitivity ? sensitivity->as<Node::Array>() : nullptr;
@@ -219,47 +301,32 @@ void move_sensitivities(Node& document, const Node::Array& layers, const Cuts& c
   for (std::size_t s = 0; s < elements->size(); ++s) {
     auto* path = (*elements)[s].as<std::string>();
     if (!path) continue;
-    const auto parts = components(*path);
-    if (parts.size() < 4 || parts[0] != "sea" || parts[1] != "layer") continue;
-    const auto i = layer_called(layers, parts[2]);
-    if (!i) continue;
-    if (cuts[*i].size() > 1) {
-      findings.add(
-          below("sensitivity", s), (*elements)[s].place,
-          fmt::format("'{}' is in a layer that its profiles cut into {}: it has no single value "
-                      "for a derivative",
-                      *path, cuts[*i].size()),
-          "compare environments, or take the derivative in the scene that `photic show` writes");
+    const auto through = pile_of(components(*path), *document.find("sea"));
+    const auto pile = std::ranges::find(piles, through.value_or(""), &ExpandedPile::path);
+    if (pile == piles.end() || !pile->layers || pile->layers->size() == pile->before.size())
       continue;
-    }
-    std::size_t now = 0;
-    for (std::size_t k = 0; k < *i; ++k) now += std::max<std::size_t>(cuts[k].size(), 1);
-    std::string moved = below("sea.layer", now);
-    for (std::size_t p = 3; p < parts.size(); ++p) moved = below(moved, parts[p]);
-    *path = moved;
+    if (auto now = moved(*path, *pile, below("sensitivity", s), (*elements)[s].place, findings))
+      *path = std::move(*now);
   }
 }
 
 }  // namespace
 
-Cuts expand_layers(Node& document, const OtherFiles& files, const Cuts* scene_cuts,
-                   Findings& findings) {
+std::vector<Cuts> expand_layers(Node& document, const OtherFiles& files,
+                                const std::vector<Cuts>* scene_cuts, Findings& findings) {
   expand_iop_table(document, files, findings);
   Node* sea = document.find("sea");
   if (!sea || !sea->as<Node::Table>()) return {};
   const double tolerance = tolerance_of(*sea, findings);
-  Node* given = sea->find("layer");
-  auto* layers = given ? given->as<Node::Array>() : nullptr;
-  if (!layers || !std::all_of(layers->begin(), layers->end(),
-                              [](const Node& layer) { return layer.as<Node::Table>(); }))
-    return {};
-  LayerExpander expander(*layers, files, tolerance, scene_cuts, findings);
-  for (std::size_t i = 0; i < layers->size(); ++i) expander.expand(i);
-  expander.name_layers();
-  if (expander.out.size() != layers->size())
-    move_sensitivities(document, *layers, expander.cuts, findings);
-  *layers = std::move(expander.out);
-  return std::move(expander.cuts);
+  std::vector<ExpandedPile> piles = piles_in(*sea);
+  for (std::size_t i = 0; i < piles.size(); ++i) {
+    const bool known = scene_cuts && scene_cuts->size() == piles.size();
+    expand(piles[i], files, tolerance, known ? &(*scene_cuts)[i] : nullptr, findings);
+  }
+  move_sensitivities(document, piles, findings);
+  std::vector<Cuts> cuts;
+  for (ExpandedPile& pile : piles) cuts.push_back(std::move(pile.cuts));
+  return cuts;
 }
 
 }  // namespace photic::scene

@@ -10,20 +10,20 @@
 
 namespace photic::scene {
 
-/// For each layer of a document the lower ends of the layers that it has become; none of a layer
-/// that has stayed as it is.
+/// For each layer of a sea, or of a column, the lower ends of the layers that it has become; none
+/// of a layer that has stayed as it is.
 using Cuts = std::vector<std::vector<double>>;
 
 /// A document whose layers are as the file has them, and what they become.
 struct Layered {
   Node document;
   OtherFiles files;
-  Cuts cuts;
+  std::vector<Cuts> cuts;  ///< of the sea's layers, or of each column's
 };
 
 /// Expands the layers of a scene, and makes the paths of its sensitivities lead where they did. An
 /// environment's layers are cut as those of its scene are (`scene_cuts`).
-Cuts expand_layers(Node& document, const OtherFiles& files, const Cuts* scene_cuts,
-                   Findings& findings);
+std::vector<Cuts> expand_layers(Node& document, const OtherFiles& files,
+                                const std::vector<Cuts>* scene_cuts, Findings& findings);
 
 }  // namespace photic::scene

@@ -17,6 +17,7 @@ namespace {
 
 constexpr const char* table_key = "iop_table";
 constexpr const char* layer_key = "layer";
+constexpr const char* column_key = "column";
 constexpr const char* table_path = "sea.iop_table";
 
 Node at(const Place& place, double value) { return {.value = value, .place = place}; }
@@ -161,9 +162,12 @@ void expand_iop_table(Node& document, const OtherFiles& files, Findings& finding
   if (entry == keys->end()) return;
   const Entry given = std::move(*entry);
   keys->erase(entry);
-  if (sea->find(layer_key))
-    return findings.add(table_path, given.place,
-                        "'layer' and 'iop_table' exclude each other in [sea]", "keep one of them");
+  for (const char* other : {layer_key, column_key})
+    if (sea->find(other))
+      return findings.add(
+          table_path, given.place,
+          fmt::format("'{}' and '{}' exclude each other in [sea]", other, table_key),
+          "keep one of them");
   auto layers = read_layers(given.value, files, findings);
   if (!layers) {
     findings.spoil(below("sea", layer_key));

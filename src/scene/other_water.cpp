@@ -44,14 +44,21 @@ constexpr const char* bends_and_times =
     "it bends and times the light, whose histories are the same in all environments";
 constexpr const char* borders =
     "light crosses from layer to layer in the same way in all environments";
+constexpr const char* beside =
+    "light crosses from column to column in the same way in all environments";
 constexpr const char* called = "all environments have the same layers";
+constexpr const char* called_columns = "all environments have the same columns";
 
 constexpr Fixed fixed_of_optics[] = {{"chlorophyll_lifetime_ns", times},
                                      {"cdom_lifetime_ns", times}};
 constexpr Fixed fixed_of_sea[] = {{"salinity_psu", bends_and_times},
                                   {"temperature_c", bends_and_times},
                                   {"refractive_index", bends},
-                                  {"group_index", times}};
+                                  {"group_index", times},
+                                  {"y_min_m", beside},
+                                  {"y_max_m", beside}};
+constexpr Fixed fixed_of_columns[] = {
+    {"name", called_columns}, {"x_min_m", beside}, {"x_max_m", beside}};
 constexpr Fixed fixed_of_layers[] = {{"name", called}, {"bottom_depth_m", borders}};
 /// The model, which decides what other keys there are, comes first. Slopes and whitecaps may differ
 /// (medium/surface.cpp).
@@ -60,6 +67,9 @@ constexpr Fixed fixed_of_surface[] = {{"model", bends},
                                       {"gram_charlier", bends},
                                       {"facets", weighs},
                                       {"whitecap_reflectance", bends}};
+
+/// What there are as many of as in the scene, and why.
+constexpr Fixed layers{"layers", borders}, columns{"columns", beside};
 
 /// The kind of air, by a profile or by layers, is a matter of the first key.
 constexpr Fixed fixed_of_air[] = {
@@ -84,9 +94,9 @@ class Comparison {
   }
 
   /// A film where the scene has none is refused where its optics are looked at.
-  void compare_oils(const Node* scene, const Node* here) {
+  void compare_oils(const std::string& path, const Node* scene, const Node* here) {
     if (!scene || !here) return;
-    for (const Fixed& fixed : fixed_of_oil) compare(*scene, *here, "oil", fixed);
+    for (const Fixed& fixed : fixed_of_oil) compare(*scene, *here, path, fixed);
   }
 
   void compare_airs(const Node* scene, const Node* here) {
@@ -95,15 +105,17 @@ class Comparison {
       return findings_.add("atmosphere", "the scene itself has no air above the sea",
                            "give it an [atmosphere], of little aerosol if need be");
     for (const Fixed& fixed : fixed_of_air) compare(*scene, *here, "atmosphere", fixed);
-    compare_layers("atmosphere.gases", scene->find("gases"), here->find("gases"), fixed_of_gases);
-    compare_layers("atmosphere.layer", scene->find("layer"), here->find("layer"),
-                   fixed_of_air_layers);
+    compare_all(layers, "atmosphere.gases", scene->find("gases"), here->find("gases"),
+                fixed_of_gases);
+    compare_all(layers, "atmosphere.layer", scene->find("layer"), here->find("layer"),
+                fixed_of_air_layers);
   }
 
   void compare_seas(const Node& scene, const Node& here) {
     for (const Fixed& fixed : fixed_of_sea) compare(scene, here, "sea", fixed);
     compare_surfaces(*scene.find("surface"), *here.find("surface"));
-    compare_layers("sea.layer", scene.find("layer"), here.find("layer"), fixed_of_layers);
+    compare_all(layers, "sea.layer", scene.find("layer"), here.find("layer"), fixed_of_layers);
+    compare_columns(scene.find("column"), here.find("column"));
   }
 
  private:
@@ -113,20 +125,35 @@ class Comparison {
       if (!compare(scene, here, "sea.surface", fixed)) return;
   }
 
-  void compare_layers(const std::string& path, const Node* of_scene, const Node* of_here,
-                      std::span<const Fixed> all_fixed) {
-    if (!good(path)) return;
+  void compare_columns(const Node* of_scene, const Node* of_here) {
+    if (!compare_all(columns, "sea.column", of_scene, of_here, fixed_of_columns) || !of_scene)
+      return;
+    const auto &scene = *of_scene->as<Node::Array>(), &here = *of_here->as<Node::Array>();
+    for (std::size_t i = 0; i < scene.size(); ++i) {
+      const std::string path = below("sea.column", i);
+      compare_all(layers, below(path, "layer"), scene[i].find("layer"), here[i].find("layer"),
+                  fixed_of_layers);
+      compare_oils(below(path, "oil"), scene[i].find("oil"), here[i].find("oil"));
+    }
+  }
+
+  /// Returns whether there are as many of them, and nothing is wrong.
+  bool compare_all(const Fixed& them, const std::string& path, const Node* of_scene,
+                   const Node* of_here, std::span<const Fixed> all_fixed) {
+    if (!good(path)) return false;
     static const Node::Array none;
     const auto& scene = of_scene ? *of_scene->as<Node::Array>() : none;
     const auto& here = of_here ? *of_here->as<Node::Array>() : none;
-    if (scene.size() != here.size())
-      return findings_.add(path,
-                           fmt::format("there must be as many layers as in the scene, {}, not {}: "
-                                       "{}",
-                                       scene.size(), here.size(), borders),
-                           suggestion);
+    if (scene.size() != here.size()) {
+      findings_.add(path,
+                    fmt::format("there must be as many {} as in the scene, {}, not {}: {}",
+                                them.key, scene.size(), here.size(), them.why),
+                    suggestion);
+      return false;
+    }
     for (std::size_t i = 0; i < scene.size(); ++i)
       for (const Fixed& fixed : all_fixed) compare(scene[i], here[i], below(path, i), fixed);
+    return true;
   }
 
   /// Returns whether they are alike, or not known.
@@ -188,6 +215,7 @@ Scene OtherWater::read() {
   check_sea(scene, findings_);
   check_bottom(scene, findings_);
   check_oil(scene, findings_);
+  check_columns(scene, findings_);
   check_atmosphere(scene, findings_);
   check_instrument(scene, findings_);
   check_gates(scene, findings_);
@@ -198,7 +226,7 @@ Scene OtherWater::read() {
       sea && sea_here)
     comparison.compare_seas(*sea, *sea_here);
   comparison.compare_airs(reference_.written.find("atmosphere"), here.find("atmosphere"));
-  comparison.compare_oils(reference_.written.find("oil"), here.find("oil"));
+  comparison.compare_oils("oil", reference_.written.find("oil"), here.find("oil"));
   if (reference_.check) reference_.check(scene, findings_);
   return scene;
 }

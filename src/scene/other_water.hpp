@@ -19,8 +19,9 @@ Node written(const Scene& scene);
 struct Reference {
   const Node& document;  ///< without environments and sensitivities
   OtherFiles files;
-  const Cuts* cuts;     ///< of the scene's layers; null where the document has layers as they are
-  const Node& written;  ///< the scene as it is written
+  const std::vector<Cuts>* cuts;  ///< of the scene's layers; null where the document has layers as
+                                  ///< they are
+  const Node& written;            ///< the scene as it is written
   const Findings& findings;
   const Check& check;
 };

@@ -51,10 +51,6 @@ class KeyPlaces {
   void expanded(const Key& key, const Rest&...) {
     required(key);
   }
-  template <class... Rest>
-  void in_place_of(const Key& key, const Rest&...) {
-    required(key);
-  }
 
   template <class T>
   void section(const Key& key, T& value, Need, const char*) {

@@ -124,21 +124,23 @@ void read_on(const Node& document, const Layered& layered, const Check& check, S
 
 /// A table may give its oil's yield and lifetime beside its columns. Light that is not emitted
 /// takes no time.
-void fill_in_light(Oil& oil, Findings& findings) {
+void fill_in_light(Oil& oil, const std::string& oil_path, Findings& findings) {
+  if (oil.table.columns().empty()) return;
   const auto& table = oil.table.data();
+  const std::string label = oil_path == "oil" ? "[oil]" : "'oil'";
   const auto read = [&](std::optional<double>& value, const char* key) {
-    const std::string path = below("oil", key);
+    const std::string path = below(oil_path, key);
     if (value) return;
     if (!table.has_header(key) && table.column_line() == 0)
-      return findings.add(path, fmt::format("'{}' is missing in [oil]", key),
+      return findings.add(path, fmt::format("'{}' is missing in {}", key, label),
                           "add it, there or in 'file'");
     if (!table.has_header(key))
       return findings.add(path, {table.name(), 1, 1}, fmt::format("no line \"# {}: …\"", key),
-                          fmt::format("add it, or give {} in [oil]", key));
+                          fmt::format("add it, or give {} in {}", key, label));
     try {
       value = table.number_in_header(key);
     } catch (const InputError& error) {
-      findings.add_from_file(path, findings.place_of("oil.file"), error);
+      findings.add_from_file(path, findings.place_of(below(oil_path, "file")), error);
     }
   };
   read(oil.yield, "yield");
@@ -154,8 +156,7 @@ void fill_in_oil(const Node& document, Scene& scene, Findings& findings) {
   if (surface.model == SurfaceModel::cox_munk && !(given && given->find("slick")))
     surface.slick = true;
   if (!surface.whitecaps && !surface.whitecap_fraction) surface.whitecaps = false;
-  if (scene.oil->table.columns().empty()) return;
-  fill_in_light(*scene.oil, findings);
+  fill_in_light(*scene.oil, "oil", findings);
 }
 
 /// The direction of light that comes from a zenith angle and an azimuth.
@@ -189,13 +190,21 @@ Scene scene_of(const Node& document, const std::optional<std::string>& folder, F
   fill_in_direction(scene.source, findings);
   fill_names(scene.telescope, "telescope");
   fill_names(scene.sea.layer, "layer");
+  fill_names(scene.sea.column, "column");
+  for (Column& column : scene.sea.column) fill_names(column.layer, "layer");
   fill_names(scene.environment, "environment");
-  const auto is_measured = [](const Layer& l) { return !l.iop.empty() || !l.jerlov.empty(); };
+  const auto is_measured = [](const PlacedLayer& l) {
+    return !l->iop.empty() || !l->jerlov.empty();
+  };
   if (!scene.optics.emission)
-    scene.optics.emission =
-        std::ranges::any_of(scene.sea.layer, is_measured) ? Emission::lines : Emission::spectra;
+    scene.optics.emission = std::ranges::any_of(layers_of(scene.sea), is_measured)
+                                ? Emission::lines
+                                : Emission::spectra;
   Surface& surface = scene.sea.surface;
   if (scene.oil) fill_in_oil(document, scene, findings);
+  for (std::size_t i = 0; i < scene.sea.column.size(); ++i)
+    if (auto& oil = scene.sea.column[i].oil)
+      fill_in_light(*oil, below(below("sea.column", i), "oil"), findings);
   if (surface.is_rough()) surface.whitecaps = surface.has_whitecaps();
   if (scene.atmosphere) fill_in_air(*scene.atmosphere);
   return scene;
@@ -219,6 +228,7 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   check_sea(reading.scene, findings);
   check_bottom(reading.scene, findings);
   check_oil(reading.scene, findings);
+  check_columns(reading.scene, findings);
   check_atmosphere(reading.scene, findings);
   check_instrument(reading.scene, findings);
   check_gates(reading.scene, findings);

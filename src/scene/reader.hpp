@@ -148,10 +148,6 @@ class Reader : public TableReader {
   void expanded(const char* key, const Rule&, const char*, const Default&...) {
     look(key);
   }
-  template <class Rule>
-  void in_place_of(const char* key, const char*, const Rule&, const char*) {
-    look(key);
-  }
   template <class Action>
   void once_read(const Action& action) {
     action();

@@ -25,32 +25,6 @@ double Telescope::detector_distance_m() const {
   return focal_length_m + effective_detector_shift_m();
 }
 
-bool Surface::is_rough() const {
-  switch (model) {
-    case SurfaceModel::flat:
-      return false;
-    case SurfaceModel::gaussian:
-      return upwind_slope_variance > 0 || crosswind_slope_variance > 0;
-    case SurfaceModel::cox_munk:
-    case SurfaceModel::paper:
-      return wind_speed_m_s > 0;
-  }
-  return false;
-}
-
-bool Surface::is_one_dimensional() const {
-  if (!is_rough()) return false;
-  return model == SurfaceModel::paper ||
-         (model == SurfaceModel::gaussian &&
-          (upwind_slope_variance == 0 || crosswind_slope_variance == 0));
-}
-
-bool Surface::has_whitecaps() const {
-  if (!is_rough()) return false;
-  if (whitecaps) return *whitecaps;
-  return whitecap_fraction || (model == SurfaceModel::cox_munk && !slick);
-}
-
 const Gates::Interval& Gates::interval() const {
   const auto& given = depth_m ? depth_m : range_m ? range_m : time_ns;
   expect(given.has_value(), "gates are given by depth, range or time");

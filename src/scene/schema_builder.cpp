@@ -149,15 +149,7 @@ void SchemaBuilder::alternatives(const std::vector<Names>& groups) {
     if (!group.needed().empty()) way.add("required", to_node(group.needed()));
   }
   conditions_.push_back(keyed("oneOf", array(std::move(ways))));
-}
-
-void SchemaBuilder::either(const char* key, const char* other) {
-  std::erase(required_, other);
-  needs_one_ = true;
-  Node::Array ways;
-  for (const char* one : {other, key})
-    ways.push_back(keyed("required", to_node(std::vector<std::string>{one})));
-  conditions_.push_back(keyed("oneOf", array(std::move(ways))));
+  needs_one_ |= std::ranges::none_of(groups, [](const Names& g) { return g.needed().empty(); });
 }
 
 void SchemaBuilder::at_least_one(const Names& keys) {

@@ -118,11 +118,6 @@ class SchemaBuilder {
     Node& schema = property(key, schema_of(rule), meaning, unit_for<Rule>(key));
     (add_default(schema, value), ...);
   }
-  template <class Rule>
-  void in_place_of(const Key& key, const char* other, const Rule& rule, const char* meaning) {
-    property(key, schema_of(rule), meaning);
-    either(key, other);
-  }
   template <class Action>
   void once_read(const Action&) {}
 
@@ -171,8 +166,6 @@ class SchemaBuilder {
   void only_without(const char* table, const char* key, SchemaBuilder group);
   void alternatives(const std::vector<Names>& groups);
   void at_least_one(const Names& keys);
-  /// One of two keys, if the other is required.
-  void either(const char* key, const char* other);
 
   template <class T>
   static void add_default(Node& schema, const T& value) {
@@ -190,7 +183,7 @@ class SchemaBuilder {
   Node::Table properties_;
   std::vector<std::string> required_;
   std::vector<std::string> demanding_;  ///< choices that ask for other keys
-  bool needs_one_ = false;              ///< of two keys
+  bool needs_one_ = false;              ///< of several keys
   Node::Array conditions_;              ///< schemas that must hold as well
 };
 

@@ -47,7 +47,7 @@ double cells_of_tally(const Tally& tally, const Scene& scene) {
     case TallyKind::boundaries:
       return cells(number(tally.zenith_deg)) + single_boundaries +
              max_constituents *
-                 (number(scene.sea.layer) + (scene.atmosphere ? max_air_layers : 0.0));
+                 (number(layers_of(scene.sea)) + (scene.atmosphere ? max_air_layers : 0.0));
   }
   return 0;
 }

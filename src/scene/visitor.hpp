@@ -17,8 +17,6 @@
 //   once_read(action)                                done when the keys before have been read
 //   expanded(name, rule, meaning[, default])         a key that stands for others, and has become
 //                                                    them before anything is read
-//   in_place_of(name, other, rule, meaning)      the same, where it and the other exclude each
-//                                                    other
 #pragma once
 
 #include <string>
@@ -103,6 +101,10 @@ class Names {
   }
   template <class... Rest>
   void tables(const char* name, Rest&&...) {
+    required(name);
+  }
+  template <class... Rest>
+  void expanded(const char* name, Rest&&...) {
     required(name);
   }
   template <class T, class... Rest>

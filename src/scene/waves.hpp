@@ -1,4 +1,4 @@
-// Settings that scenes with waves cannot have.
+// What a scene asks for and the bidirectional estimator cannot do.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace photic::scene {
 
-/// The parts that a scene's waves ask for and the bidirectional estimator lacks so far, if there
-/// are any.
+/// The parts that a scene's waves, or its columns, ask for and the bidirectional estimator lacks,
+/// if there are any.
 std::optional<std::string> bidirectional_lacks(const Scene& scene);
 
 }  // namespace photic::scene

@@ -94,8 +94,6 @@ class Writer {
   }
   template <class... Rest>
   void expanded(const char*, const Rest&...) {}
-  template <class Rule>
-  void in_place_of(const char*, const char*, const Rule&, const char*) {}
   template <class Action>
   void once_read(const Action&) {}
 

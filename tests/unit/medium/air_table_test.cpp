@@ -22,7 +22,7 @@ TEST(AirTable, HoldsTheLayersAtTheirPlaces) {
     for (std::size_t k = 0; k < table.layers(); k += 6) {
       const optics::AirLayer& layer = air.layers[k];
       const std::size_t at = k * nm.size() + w;
-      EXPECT_EQ(table.edge_m[k + 1], 1e3 * layer.top_km);
+      EXPECT_EQ(table.last_m[k], 1e3 * layer.top_km);
       EXPECT_EQ(table.a_per_m[at], layer.a_per_m());
       EXPECT_EQ(table.b_per_m[at], layer.b_per_m());
       EXPECT_EQ(table.parts[0].b_per_m[at], layer.molecules_b_per_m);

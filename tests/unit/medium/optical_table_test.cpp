@@ -52,7 +52,7 @@ TEST(OpticalTable, HoldsWhatTheLayersOpticsSay) {
   const std::vector<double> nm = {510, 532, 640.5};
   const OpticalTable table = optical_table(scene, library(), nm);
   EXPECT_EQ(table.layer_name, (std::vector<std::string>{"top", "below", "bed"}));
-  EXPECT_EQ(table.edge_m[1], 7);
+  EXPECT_EQ(table.last_m[0], 7);
   EXPECT_EQ(table.wavelength_nm, nm);
   ASSERT_EQ(table.a_per_m.size(), 9U);
   const LayerOptics optics_of(scene, library());

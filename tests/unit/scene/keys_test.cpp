@@ -53,8 +53,7 @@ diameter_m = 0.05)"}},
        {"scene.toml:1:1: [source] is missing (add it: the source of light)",
         "scene.toml:1:1: the scene needs 'telescope' or 'tally' (add a [[telescope]] for echoes, a "
         "[[tally]] for irradiances, balances and other quantities, or both)",
-        "scene.toml:1:1: [[sea.layer]] is missing (add it: the layers of water from the surface "
-        "down)",
+        "scene.toml:1:1: [sea] needs 'layer', 'column' or 'iop_table'",
         "scene.toml:1:1: [simulation] is missing (add it: how long and how to simulate)"}},
       {"EmptyLines",
        {{1, 30, R"(
@@ -63,8 +62,7 @@ diameter_m = 0.05)"}},
        {"scene.toml:3:1: [source] is missing (add it: the source of light)",
         "scene.toml:3:1: the scene needs 'telescope' or 'tally' (add a [[telescope]] for echoes, a "
         "[[tally]] for irradiances, balances and other quantities, or both)",
-        "scene.toml:3:1: [[sea.layer]] is missing (add it: the layers of water from the surface "
-        "down)",
+        "scene.toml:3:1: [sea] needs 'layer', 'column' or 'iop_table'",
         "scene.toml:3:1: [simulation] is missing (add it: how long and how to simulate)"}},
       {"EmptyTables",
        {{1, 1, ""},
@@ -116,8 +114,7 @@ diameter_m = 0.05)"}},
         "[[tally]] for irradiances, balances and other quantities, or both)"}},
       {"MissingLayers",
        {{20, 25, ""}},
-       {"scene.toml:24:1: [[sea.layer]] is missing (add it: the layers of water from the surface "
-        "down)"}},
+       {"scene.toml:19:1: [sea] needs 'layer', 'column' or 'iop_table'"}},
       {"UnknownKeyNear",
        {{3, 3, "wavelenght_nm = 532.0"}},
        {"scene.toml:2:1: 'wavelength_nm' is missing in [source] (add it: the wavelength of its "

@@ -9,6 +9,7 @@
 
 #include "unit/scene/base_scene.hpp"
 #include "unit/scene/lit_scene.hpp"
+#include "unit/scene/row_scene.hpp"
 
 namespace photic::scene {
 namespace {
@@ -111,7 +112,7 @@ std::set<std::string> keys_of_scenes() {
         lit_scene(std::string(lamp) + "\npower_w = 1", maps), lit_scene(sun, balance, rough),
         lit_scene(std::string(laser) + "\nenergy_j = 1"),
         lit_scene(std::string(laser) + "\nphotons_per_pulse = 1"),
-        lit_scene(sun, balance, air_alone)})
+        lit_scene(sun, balance, air_alone), row_scene()})
     collect_keys(json::parse(write_scene_json(read_text(text))), keys);
   return keys;
 }
@@ -313,7 +314,9 @@ TEST(Schema, ConstituentsMayBeProfilesAndLayersATable) {
   EXPECT_EQ(schema["$defs"]["profile"]["anyOf"].size(), 3U);
   EXPECT_FALSE(sea.contains("required"));
   EXPECT_EQ(sea["allOf"][0]["oneOf"][0]["required"], json::array({"layer"}));
-  EXPECT_EQ(sea["allOf"][0]["oneOf"][1]["required"], json::array({"iop_table"}));
+  EXPECT_EQ(sea["allOf"][0]["oneOf"][1]["required"], json::array({"column"}));
+  EXPECT_EQ(sea["allOf"][0]["oneOf"][2]["required"], json::array({"iop_table"}));
+  EXPECT_EQ(sea["allOf"][0]["oneOf"][0]["properties"]["y_min_m"], false);
 }
 
 TEST(Schema, EnvironmentsSetAnyPath) {

@@ -350,8 +350,7 @@ std::vector<WrongTally> wrong_together() {
         "place of the sea (keep one of them)"}},
       {"NeitherSeaNorGround",
        lit_scene(sun, balance, ""),
-       {"scene.toml:9:1: [[sea.layer]] is missing (add it: the layers of water from the surface "
-        "down)"}},
+       {"scene.toml:9:1: [sea] needs 'layer', 'column' or 'iop_table'"}},
       {"AlbedoOfTheGround",
        lit_scene(sun, balance,
                  "[atmosphere]\nprofile = \"us-standard\"\nsurface = { albedo = { zenith_deg = "

@@ -1,0 +1,60 @@
+#include "scene/sea.hpp"
+
+#include <fmt/format.h>
+
+namespace photic::scene {
+
+bool Surface::is_rough() const {
+  switch (model) {
+    case SurfaceModel::flat:
+      return false;
+    case SurfaceModel::gaussian:
+      return upwind_slope_variance > 0 || crosswind_slope_variance > 0;
+    case SurfaceModel::cox_munk:
+    case SurfaceModel::paper:
+      return wind_speed_m_s > 0;
+  }
+  return false;
+}
+
+bool Surface::is_one_dimensional() const {
+  if (!is_rough()) return false;
+  return model == SurfaceModel::paper ||
+         (model == SurfaceModel::gaussian &&
+          (upwind_slope_variance == 0 || crosswind_slope_variance == 0));
+}
+
+bool Surface::has_whitecaps() const {
+  if (!is_rough()) return false;
+  if (whitecaps) return *whitecaps;
+  return whitecap_fraction || (model == SurfaceModel::cox_munk && !slick);
+}
+
+bool Sea::ends() const {
+  return !column.empty() && (column.front().x_min_m || column.back().x_max_m || y_min_m || y_max_m);
+}
+
+std::vector<Pile> piles_of(const Sea& sea) {
+  if (sea.column.empty()) return {{sea.layer, "sea.layer", "sea.layer", ""}};
+  std::vector<Pile> out;
+  for (const Column& column : sea.column)
+    out.push_back({column.layer, fmt::format("sea.column.{}.layer", out.size()), "sea.column.layer",
+                   column.name});
+  return out;
+}
+
+std::vector<PlacedLayer> layers_of(const Sea& sea) {
+  std::vector<PlacedLayer> out;
+  for (const Pile& pile : piles_of(sea)) {
+    double top_m = 0;
+    for (std::size_t i = 0; i < pile.layer.size(); ++i) {
+      const Layer& layer = pile.layer[i];
+      out.push_back({layer, fmt::format("{}.{}", pile.path, i),
+                     (pile.name.empty() ? "" : pile.name + '/') + layer.name, top_m});
+      top_m = layer.bottom_depth_m.value_or(top_m);
+    }
+  }
+  return out;
+}
+
+}  // namespace photic::scene
