@@ -35,7 +35,7 @@ struct Between {
   double t;
 };
 
-Between entries_around(const scene::Layer& layer, double wavelength_nm) {
+Between entries_around(const scene::Layer& layer, const scene::Sea& sea, double wavelength_nm) {
   const auto& iop = layer.iop;
   const double reach = iop.size() == 1 ? single_entry_reach_nm : 0.0;
   const double first = iop.front().wavelength_nm - reach;
@@ -43,7 +43,7 @@ Between entries_around(const scene::Layer& layer, double wavelength_nm) {
   if (wavelength_nm < first || wavelength_nm > last)
     throw InputError({{"", 0, 0,
                        fmt::format("the iop of layer \"{}\" covers {:g} to {:g} nm, not {:.6g} nm",
-                                   layer.name, first, last, wavelength_nm),
+                                   scene::name_in(sea, layer), first, last, wavelength_nm),
                        "add an entry for it"}});
   if (iop.size() == 1) return {iop[0], iop[0], 0.0};
   std::vector<double> nm;
@@ -52,8 +52,8 @@ Between entries_around(const scene::Layer& layer, double wavelength_nm) {
   return {iop[i - 1], iop[i], t};
 }
 
-WaterOptics of_table(const scene::Layer& layer, double wavelength_nm) {
-  const auto [low, high, t] = entries_around(layer, wavelength_nm);
+WaterOptics of_table(const scene::Layer& layer, const scene::Sea& sea, double wavelength_nm) {
+  const auto [low, high, t] = entries_around(layer, sea, wavelength_nm);
   WaterOptics water;
   water.a_per_m = std::lerp(low.a_per_m, high.a_per_m, t);
   water.b_per_m = std::lerp(low.b_per_m, high.b_per_m, t);
@@ -77,13 +77,13 @@ LayerOptics::LayerOptics(const scene::Scene& scene, const optics::Library& libra
     : scene_(&scene), library_(&library) {}
 
 WaterOptics LayerOptics::operator()(const scene::Layer& layer, double wavelength_nm) const {
-  WaterOptics water = !layer.iop.empty()      ? of_table(layer, wavelength_nm)
+  WaterOptics water = !layer.iop.empty()      ? of_table(layer, scene_->sea, wavelength_nm)
                       : !layer.jerlov.empty() ? of_jerlov_type(layer, wavelength_nm)
                                               : of_constituents(layer, wavelength_nm);
   if (!std::isfinite(water.a_per_m + water.b_per_m))
     throw InputError({{"", 0, 0,
                        fmt::format("layer \"{}\" attenuates {:g} nm more than a number can hold",
-                                   layer.name, wavelength_nm),
+                                   scene::name_in(scene_->sea, layer), wavelength_nm),
                        "are the units right?"}});
   return water;
 }

@@ -248,7 +248,8 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
     throw InputError(
         {{"", 0, 0,
           "photic bench compares the estimators, and the bidirectional one cannot treat " + *reason,
-          "compare them with sea.surface = { model = \"flat\" }"}});
+          scene.sea.column.empty() ? "compare them with sea.surface = { model = \"flat\" }"
+                                   : "compare them in one of its waters, as [[sea.layer]]"}});
   Comparison out;
   out.repeats = repeat_count;
   out.aim = aim_of(scene.simulation);

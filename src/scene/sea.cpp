@@ -57,4 +57,10 @@ std::vector<PlacedLayer> layers_of(const Sea& sea) {
   return out;
 }
 
+std::string name_in(const Sea& sea, const Layer& layer) {
+  for (const PlacedLayer& at : layers_of(sea))
+    if (&at.layer == &layer) return at.name;
+  return layer.name;
+}
+
 }  // namespace photic::scene

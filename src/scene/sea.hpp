@@ -150,4 +150,7 @@ struct PlacedLayer {
 /// The layers of a sea, column after column: in this order they are numbered wherever light is.
 [[nodiscard]] std::vector<PlacedLayer> layers_of(const Sea& sea);
 
+/// The name of a layer in messages: if it is one of the sea's, that with its column.
+[[nodiscard]] std::string name_in(const Sea& sea, const Layer& layer);
+
 }  // namespace photic::scene

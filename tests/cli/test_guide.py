@@ -14,6 +14,7 @@ SECTIONS = {
     "`[[tally]]`": ["tally"],
     "`[optics]`": ["optics"],
     "`[sea]` and `[[sea.layer]]`": ["sea", "sea.layer", "sea.layer.iop", "sea.surface"],
+    "`[[sea.column]]`": ["sea.column"],
     "`[bottom]`": ["bottom"],
     "`[oil]`": ["oil"],
     "`[atmosphere]`": ["atmosphere", "atmosphere.layer", "atmosphere.layer.iop", "atmosphere.surface"],

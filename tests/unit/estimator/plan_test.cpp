@@ -70,7 +70,7 @@ struct Plans {
 const Plans clear{"0: histories in water, draws own, scores all, in ledger\n",
                   "0: walks in water, draws own, scores all, in ledger\n",
                   "0: analog in water, draws own, scores all, in ledger\n"};
-const Plans tallies{clear.forward, "refused", clear.analog};
+const Plans without_walks{clear.forward, "refused", clear.analog};
 const Plans waves{clear.forward,
                   "0: walks in water, draws own, scores all, in ledger\n"
                   "1: surface echo in water, draws own, scores all\n",
@@ -122,18 +122,19 @@ const std::map<std::string, Plans> plans_of_scenes{{"airborne", clear},
                                                    {"benchmark-hg", clear},
                                                    {"benchmark-peaked", clear},
                                                    {"biaxial", clear},
-                                                   {"cone", tallies},
+                                                   {"cone", without_walks},
                                                    {"fluorosensor-355", clear},
                                                    {"minimal", clear},
                                                    {"oil-spill", oil},
                                                    {"oil-spill-airborne", air_over_oil},
+                                                   {"plume", without_walks},
                                                    {"rov", clear},
                                                    {"ship", clear},
                                                    {"ship-tilted", clear},
                                                    {"ship-waves", waves},
                                                    {"spaceborne", air},
                                                    {"spaceborne-waves", air_over_waves},
-                                                   {"sun", tallies},
+                                                   {"sun", without_walks},
                                                    {"three-layers", clear}};
 
 // Seen red: with walks in the air that draw the run's own numbers; without minimal.toml in the

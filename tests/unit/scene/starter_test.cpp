@@ -72,8 +72,8 @@ TEST(Starter, NamesTheKindsThereAre) {
       said("satellite"),
       "there is no starter scene 'satellite' (choose from: ship, ship-tilted, "
       "ship-waves, biaxial, airborne, airborne-waves, bathymetric, airborne-high, spaceborne, "
-      "spaceborne-waves, rov, fluorosensor-355, oil-spill, oil-spill-airborne, argo, three-layers, "
-      "sun, cone, minimal, benchmark-peaked, benchmark-hg)");
+      "spaceborne-waves, rov, fluorosensor-355, oil-spill, oil-spill-airborne, plume, argo, "
+      "three-layers, sun, cone, minimal, benchmark-peaked, benchmark-hg)");
 }
 
 }  // namespace
