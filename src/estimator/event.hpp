@@ -50,7 +50,7 @@ inline transport::Touched touched_at_birth(const medium::MediumView& sea) {
 }
 
 /// Has light of a mask leave the laser, by two uniforms. Light that stands in the water, or has
-/// come down to its surface, is on its way.
+/// come down to its surface, is on its way; beside a row of columns there is no surface.
 template <class T, class Ledger>
 void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
                     const Mask<T>& exist, Track<T>& t, Ledger& ledger) {
@@ -60,7 +60,12 @@ void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
   t.on = exist;
   if (!world.instruments.laser_region.outside) return;
   const T emitted = t.photon.weight;
-  const Mask<T> comes = transport::come_down(world.instruments.laser_region, t.photon);
+  Mask<T> comes = transport::come_down(world.instruments.laser_region, t.photon);
+  const medium::RowView& row = world.slabs.row;
+  if (row.has_faces) [[unlikely]] {
+    comes = comes & row.covers(t.photon.position.x, t.photon.position.y);
+    t.photon.layer = row.surface_layer_at(t.photon.position.x);
+  }
   book(ledger.escaped, exist, select(comes, emitted - t.photon.weight, emitted));
   t.on = exist & comes;
 }
@@ -88,6 +93,8 @@ void collisions(Steps& steps, Each each) {
 template <class Steps, class T>
 void end_flight(Steps& steps, Track<T>& t, const transport::FlightEnd<T>& end) {
   book_out(t, end.sea_bed, steps.ledger.sea_bed);
+  if (any(end.sideways)) [[unlikely]]
+    book_out(t, end.sideways, steps.ledger.escaped);
   book_out(t, !steps.in_time(t.photon), steps.ledger.cut_by_time);
   t.colliding = t.on & !end.surface;
   steps.tally.collisions += count(t.colliding);

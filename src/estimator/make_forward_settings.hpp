@@ -82,7 +82,7 @@ ForwardSettings<T> make_forward_settings(const Model& model, const geometry::Sla
   out.directs = scene::directed_fraction_in(scene) > 0;
   if (tallies != nullptr && scene.telescope.empty()) direct_to_radiance(*tallies, out);
   out.flies_on = out.directs && !all_events && out.cones.empty() &&
-                 slabs.surface.one_direction_each && !slabs.surface.absorbs;
+                 slabs.surface.one_direction_each && !slabs.surface.absorbs && !slabs.row.has_faces;
   out.single_rays = asked.reception == scene::Reception::ray;
   out.conversion = T(asked.conversion_probability.value_or(scene::usual_conversion_probability));
   const bool one_way =

@@ -17,7 +17,8 @@ namespace photic::estimator {
 /// The number of the layer that an instrument of a model stands in.
 template <class Instrument>
 std::size_t layer_of(const medium::Medium& medium, const Instrument& instrument) {
-  return medium.layer_at(std::max(0.0, -instrument.position_m.z));
+  const auto& at = instrument.position_m;
+  return medium.layer_at(std::max(0.0, -at.z), medium.row.column_at(at.x));
 }
 
 /// The region of an instrument, of_laser or a telescope behind it.

@@ -284,6 +284,8 @@ Model make_model(const scene::Scene& scene) {
               std::move(apparent_path),
               {scene.source, scene.telescope},
               {}};
+  const auto origin = origin_of(model.scene.source, model.medium.kind);
+  model.medium.set_origin(origin.x, origin.y);
   model.level_depth = radiance_depths(model);
   return model;
 }

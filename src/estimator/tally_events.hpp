@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/flatten.hpp"
 #include "core/lanes.hpp"
 #include "estimator/tallies/tallies.hpp"
 #include "estimator/world.hpp"
 #include "geometry/segment.hpp"
 #include "surface/lambert.hpp"
 #include "tally/batch_tally.hpp"
+#include "transport/flight.hpp"
 #include "transport/photon.hpp"
 #include "transport/touched.hpp"
 
@@ -54,13 +56,13 @@ class TallyEvents {
   TallyEvents(const World<T>& world, tally::BatchTally& tally)
       : world_(world), tallies_(*world.tallies), scores_(tally.tallies) {}
 
-  /// Photons of a mask have flown so far in the medium, and stand at a black end of it where `end`.
-  void flown(const Photon& before, const Photon& after, const T& length, const Mask<T>& mask,
-             const Mask<T>& end) const {
+  /// Photons of a mask have flown in the medium, and stand at the end of their flight.
+  void flown(const Photon& before, const Photon& after, const transport::FlightEnd<T>& end,
+             const Mask<T>& mask) const {
     const Mask<T> light = of_source(before, mask);
     if (!any(light)) return;
     const EachPhoton<T> from(before);
-    const auto z = each_lane(after.position.z), lengths = each_lane(length);
+    const auto z = each_lane(after.position.z), lengths = each_lane(end.length);
     for_each_lane(light, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
       const Flight flight{from.position(i),
@@ -70,11 +72,14 @@ class TallyEvents {
                           lengths[i],
                           from.weight(i),
                           layer_of(from.layer(i))};
-      tallies_.inside.fly(flight, scores_);
-      if (tallies_.boundaries) tallies_.boundaries->fly(flight, scores_);
+      if (world_.slabs.row.has_faces) [[unlikely]]
+        fly_through_columns(flight);
+      else
+        fly_in_column(flight, 0);
     });
+    escape(light & end.sideways, after.direction.z, after.weight, Mask<T>(true));
     if (tallies_.escapes_at_end) return;  // what comes there has escaped before
-    at_bottom(after, light & end, T(1));
+    at_bottom(after, light & end.sea_bed, T(1));
   }
   /// Photons of a mask are about to be scattered where they stand, or reflected by the bed.
   void collide(const Photon& photon, const Mask<T>& mask) const {
@@ -82,9 +87,9 @@ class TallyEvents {
     if (!any(light)) return;
     const Mask<T> bed = surface::on_bed<T>(world_.slabs, photon.layer);
     if (world_.slabs.bed_angles > 0)
-      at_bottom(
-          photon, light & bed,
-          T(1) - surface::bed_albedo(world_.slabs, photon.line, T(T(0) - photon.direction.z)));
+      at_bottom(photon, light & bed,
+                T(1) - surface::bed_albedo(world_.slabs, photon.line, photon.layer,
+                                           T(T(0) - photon.direction.z)));
     radiate(photon, light);
     if (!tallies_.boundaries) return;
     const auto places = each_lane(photon.layer);
@@ -157,11 +162,10 @@ class TallyEvents {
       fly_in_clear_air(from, static_cast<std::size_t>(lane), 0, far_away);
     });
   }
-  /// Light of a mask has left the source in clear air: it stands at the surface, or where it set
-  /// out if it rises.
-  void leave_source(const Photon& photon, const Mask<T>& mask) const {
-    const Mask<T> rises = mask & !(photon.direction.z < T(0));
-    escape(rises, photon.direction.z, photon.weight, Mask<T>(false));
+  /// Light of a mask has left the source in clear air: it stands at the surface, where it comes
+  /// there, or where it set out if it rises. Beside a row of columns there is no surface.
+  void leave_source(const Photon& photon, const Mask<T>& mask, const Mask<T>& comes) const {
+    escape(mask & !comes, photon.direction.z, photon.weight, Mask<T>(false));
     if (!tallies_.outside.exist()) return;
     const EachPhoton<T> from(photon);
     for_each_lane(mask, [&](int lane) {
@@ -172,6 +176,37 @@ class TallyEvents {
   }
 
  private:
+  void fly_in_column(const Flight& flight, std::size_t column) const {
+    const FlightTallies& tallies = tallies_.inside[column];
+    tallies.fly(flight, scores_);
+    if (tallies_.boundaries) tallies_.boundaries->fly(flight, tallies.absorption, scores_);
+  }
+  /// `flight`: its layer is among all of the medium's.
+  PHOTIC_APART void fly_through_columns(const Flight& flight) const {
+    const medium::RowView& row = world_.slabs.row;
+    const auto first = row.column<double>(static_cast<std::int32_t>(flight.layer));
+    const geometry::Ray<double> ray{flight.start, flight.direction};
+    Flight piece = flight;
+    geometry::each_column<double>(
+        row, ray, first, flight.length, true, [&](const geometry::InColumn<double>& in) {
+          const auto column = static_cast<std::size_t>(in.column);
+          const ContinuousAbsorption& absorption = tallies_.inside[column].absorption;
+          const auto depth_at = [&](double length) {
+            const double depth = flight.from - flight.direction.z * length;
+            return length < flight.length ? std::max(0.0, depth) : flight.to;
+          };
+          piece.start = flight.start + in.from * flight.direction;
+          piece.from = in.from > 0 ? depth_at(in.from) : flight.from;
+          piece.to = flight.to == flight.from ? piece.from : depth_at(in.to);
+          piece.length = in.to - in.from;
+          piece.layer = in.column == first ? flight.layer - absorption.first_layer()
+                                           : absorption.layer_of(piece.from);
+          fly_in_column(piece, column);
+          piece.weight = absorption.weight_at_end(piece);
+          return true;
+        });
+  }
+
   static constexpr double far_away = 1e9;  // m; beyond all levels
 
   [[nodiscard]] std::size_t layer_of(std::int32_t place) const {

@@ -14,9 +14,7 @@ FreePaths::FreePaths(const medium::Medium& medium, std::span<const double> share
   continuous_c_ = medium.with_integrals(continuous_c, 0);
   walk_mean_path_ = TwinTable(medium.with_bed<double>(walk_mean_path, 1.0));
   collision_gain_ = TwinTable(medium.with_bed<double>(gain, 1.0));
-  const auto edges = medium.depth_integrals(walk_c);
-  edges_ = TwinTable(edges);
-  by_walk_tau_ = medium::Layering(edges, medium.layers());
+  by_walk_tau_ = medium.layering_by(walk_c, edges_);
 }
 
 Slabs FreePaths::slabs(const medium::Medium& medium) const {

@@ -18,7 +18,8 @@ struct Slabs : medium::MediumView {
   ShortPairs continuous_c;           ///< c less c', absorbed along the way
   ShortTable walk_mean_path;         ///< 1 / c' [m], [line][layer]
   ShortTable collision_gain;         ///< c / c', [line][layer]
-  medium::LayeringView by_walk_tau;  ///< in a row for each line, by the optical depth of c'
+  medium::LayeringView by_walk_tau;  ///< in a row for each line and column, by the
+                                     ///< optical depth of c'
 
   /// Optical depth of c' from the surface straight down to a level.
   template <class T>

@@ -2,7 +2,9 @@
 // group paths, which are the times of light.
 #pragma once
 
+#include "core/flatten.hpp"
 #include "core/vec3.hpp"
+#include "geometry/columns.hpp"
 #include "geometry/free_paths.hpp"
 
 namespace photic::geometry {
@@ -45,19 +47,74 @@ template <class T>
 struct Segment {
   Index<T> line{};
   medium::Level<T> from{}, to{};
-  T length{};  ///< [m]
+  T length{};    ///< [m]
+  Ray<T> ray{};  ///< from its first place; known where the sea is a row of columns
   Course course = Course::straight;
   Slant<T> slant{};  ///< unless it is straight
 };
 template <class T>
 Segment<T> to_surface(const Index<T>& line, const medium::Level<T>& from, const T& length,
-                      const Slant<T>& slant) {
-  return {line, from, {}, length, Course::to_surface, slant};
+                      const Slant<T>& slant, const Ray<T>& ray = {}) {
+  return {line, from, {}, length, ray, Course::to_surface, slant};
 }
 template <class T>
 Segment<T> by_surface(const Index<T>& line, const medium::Level<T>& from,
-                      const medium::Level<T>& to, const T& length, const Slant<T>& slant) {
-  return {line, from, to, length, Course::by_surface, slant};
+                      const medium::Level<T>& to, const T& length, const Slant<T>& slant,
+                      const Ray<T>& ray = {}) {
+  return {line, from, to, length, ray, Course::by_surface, slant};
+}
+
+/// A depth in a column of a row, likely in a layer.
+template <class T>
+medium::Level<T> level_in(const medium::MediumView& sea, const Index<T>& column,
+                          const Index<T>& likely, const T& depth) {
+  const Index<T> first = gather_index<T>(sea.row.first_layer, column);
+  const Index<T> from = select(sea.row.column<T>(likely) == column, likely, first);
+  return sea.level(sea.layer_at(from, depth), depth);
+}
+
+/// Straight light at its end.
+template <class T>
+struct StraightEnd {
+  Mask<T> sideways{};  ///< it has left the row by a side before
+  medium::Level<T> level{};
+};
+/// Calls f(mask, segment) for the pieces of a straight segment in each column of a row.
+template <class T, class F>
+StraightEnd<T> each_straight_piece(const medium::MediumView& sea, const Segment<T>& s, F f) {
+  StraightEnd<T> end{Mask<T>(false), s.from};
+  const Index<T> column = sea.row.template column<T>(s.from.layer);
+  end.sideways =
+      each_column(sea.row, s.ray, column, s.length, Mask<T>(true), [&](const InColumn<T>& in) {
+        const T depth =
+            select(in.to < s.length, s.from.depth - s.ray.direction.z * in.to, s.to.depth);
+        const auto begin = level_in(sea, in.column, end.level.layer, end.level.depth);
+        const auto last = level_in(sea, in.column, begin.layer, depth);
+        f(in.on, Segment<T>{s.line, begin, last, in.to - in.from});
+        end.level.layer = select(in.on, last.layer, end.level.layer);
+        end.level.depth = select(in.on, last.depth, end.level.depth);
+        return in.on;
+      });
+  return end;
+}
+/// The same of any segment. Returns the light that leaves the row by a side.
+template <class T, class F>
+Mask<T> each_piece(const medium::MediumView& sea, const Segment<T>& s, F f) {
+  if (s.course == Course::straight) return each_straight_piece(sea, s, f).sideways;
+  Segment<T> up = s;
+  up.to = {};
+  if (s.course == Course::by_surface) {
+    const T to_surface = s.from.depth * s.slant.length / s.slant.depth;
+    up.length = select(to_surface < s.length, to_surface, s.length);
+  }
+  const auto risen = each_straight_piece(sea, up, f);
+  if (s.course == Course::to_surface) return risen.sideways;
+  Segment<T> down = s;
+  down.from = risen.level;
+  down.length = s.length - up.length;
+  down.ray.start = s.ray.start + up.length * s.ray.direction;
+  down.ray.direction.z = T(0) - s.ray.direction.z;
+  return risen.sideways | each_straight_piece(sea, down, f).sideways;
 }
 
 /// Optical depths of the light, and of the coefficient that free paths are drawn from.
@@ -65,14 +122,21 @@ template <class T>
 struct OpticalDepths {
   T all, walk;
 
+  friend OpticalDepths operator+(const OpticalDepths& a, const OpticalDepths& b) {
+    return {a.all + b.all, a.walk + b.walk};
+  }
   friend OpticalDepths select(const Mask<T>& mask, const OpticalDepths& yes,
                               const OpticalDepths& no) {
     return {select(mask, yes.all, no.all), select(mask, yes.walk, no.walk)};
   }
 };
 
+/// Of light that leaves a row of columns by a side: nothing of it comes on.
+inline constexpr double opaque = 1e4;
+
+/// Where there are no columns, or within one of them.
 template <class T>
-OpticalDepths<T> optical_depths(const Slabs& sea, const Segment<T>& s) {
+OpticalDepths<T> depths_in_column(const Slabs& sea, const Segment<T>& s) {
   if (s.course == Course::straight)
     return {sea.slant_optical_depth(s.line, s.from, s.to, s.length),
             sea.walk_slant_optical_depth(s.line, s.from, s.to, s.length)};
@@ -81,6 +145,22 @@ OpticalDepths<T> optical_depths(const Slabs& sea, const Segment<T>& s) {
     down = {down.all + sea.optical_depth(s.line, s.to),
             down.walk + sea.walk_optical_depth(s.line, s.to)};
   return {down.all * s.slant.length / s.slant.depth, down.walk * s.slant.length / s.slant.depth};
+}
+
+template <class T>
+PHOTIC_APART OpticalDepths<T> depths_through_columns(const Slabs& sea, const Segment<T>& s) {
+  OpticalDepths<T> sum{T(0), T(0)};
+  const Mask<T> sideways = each_piece(sea, s, [&](const Mask<T>& on, const Segment<T>& piece) {
+    sum = select(on, sum + depths_in_column(sea, piece), sum);
+  });
+  return select(sideways, OpticalDepths<T>{T(opaque), T(opaque)}, sum);
+}
+
+template <class T>
+OpticalDepths<T> optical_depths(const Slabs& sea, const Segment<T>& s) {
+  if (sea.row.has_faces) [[unlikely]]
+    return depths_through_columns(sea, s);
+  return depths_in_column(sea, s);
 }
 
 /// The length that it counts as in time [m]. `length`: of it, or by how much it is longer than one

@@ -95,18 +95,21 @@ Sightline<T> sightline(const medium::MediumView& sea, const Vec3<T>& from, const
   return way;
 }
 
-/// The first `length` in the water of a way from a level there.
+/// The first `length` in the water of a way from a level there. `start`: its place; where the sea
+/// is a row of columns.
 template <class T>
 Segment<T> along(const medium::MediumView& sea, const Sightline<T>& way, const Index<T>& line,
-                 const medium::Level<T>& from, const T& length) {
+                 const medium::Level<T>& from, const T& length, const Vec3<T>& start = {}) {
   using std::abs;
-  if (way.to.outside) return to_surface(line, from, length, Slant<T>::of_secant(way.secant_water));
+  const Ray<T> ray{start, way.direction};
+  if (way.to.outside)
+    return to_surface(line, from, length, Slant<T>::of_secant(way.secant_water), ray);
   const T risen = length * way.direction.z;
   if (way.route == Route::direct)
-    return {line, from, sea.level(way.to.layer, T(from.depth - risen)), length};
+    return {line, from, sea.level(way.to.layer, T(from.depth - risen)), length, ray};
   const T steep = abs(way.direction.z);
   return by_surface(line, from, sea.level(way.to.layer, T(length * steep - from.depth)), length,
-                    Slant<T>::of_secant(T(T(1) / steep)));
+                    Slant<T>::of_secant(T(T(1) / steep)), ray);
 }
 
 }  // namespace photic::geometry

@@ -103,10 +103,11 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
     for (const double nm : {of.first_nm, of.last_nm})
       add_source(fmt::format("{} light", scene::word_of(of.process)), of.source, nm,
                  medium.sources);
-  if (scene.bottom)
+  for (const auto& [bed, path] : scene::beds_of(scene.sea, scene.bottom))
     for (const Line& line : medium.line)
-      add_source("albedo of the sea bed", scene::reported_albedo(*scene.bottom), line.wavelength_nm,
-                 medium.sources);
+      if (bed)
+        add_source("albedo of the sea bed", scene::reported_albedo(*bed), line.wavelength_nm,
+                   medium.sources);
   for (std::size_t l = 0; l < medium.line.size(); ++l) {
     add_line_tables(scene, optics_of, light.lines, l, medium);
     medium.conversion_phase.push_back(conversion_phase(medium, medium.line[l].process, library));

@@ -37,7 +37,6 @@ class Checker {
         optics_of_(scene_, library) {
     drop_bad_channels();
     for (const auto& at : layers_) readable_.push_back(findings.good({below(at.path, "iop")}));
-    bed_readable_ = findings.good({"bottom"});
     surface_readable_ = findings.good({"sea.surface"});
     if (scene_.oil && findings.good({"oil"}))
       if (const auto oil = ask(oil_path(), [&] { return oil_of(scene_, library_); })) oil_ = *oil;
@@ -57,7 +56,7 @@ class Checker {
                      const Wavelength& light);
   void check_inelastic_light(const std::vector<std::optional<WaterOptics>>& at_laser);
   void check_index(Process process, const Wavelength& light);
-  void check_bed(const Wavelength& light);
+  void check_beds(const Wavelength& light);
   void check_whitecaps(const Wavelength& light);
   void read_air();
   void check_air(const Wavelength& light);
@@ -90,7 +89,7 @@ class Checker {
   std::vector<scene::PlacedLayer> layers_;
   std::vector<std::string> channel_path_;
   std::vector<bool> readable_;  ///< the layers whose optics can be asked for
-  bool bed_readable_ = false, surface_readable_ = false;
+  bool surface_readable_ = false;
   /// The profile of the air up to its top, if there is one and nothing is wrong with it.
   std::optional<optics::AirProfile> air_profile_;
   std::optional<optics::Oil> oil_;  ///< if there is a film, and it is known
@@ -178,24 +177,24 @@ void Checker::check_index(Process process, const Wavelength& light) {
         light.path, [&] { return make_line(scene_.sea, process, light.nm); }, light.why_here);
 }
 
-/// Checks that its albedo is known, and no environment's reflects where the scene's does not.
-void Checker::check_bed(const Wavelength& light) {
-  const auto& bed = scene_.bottom;
-  const auto known = [&] { return !bed || albedo_of(*bed, light.nm, 0) >= 0; };
-  if (!bed_readable_ || !ask("bottom.albedo", known, light.why_there)) return;
+/// Checks that their albedo is known, and no environment's reflects where the scene's does not.
+void Checker::check_beds(const Wavelength& light) {
+  for (const auto& [bed, path] : scene::beds_of(scene_.sea, scene_.bottom)) {
+    const auto known = [&] { return !bed || albedo_of(*bed, light.nm, 0) >= 0; };
+    if (!findings_.good({path}) || !ask(path + ".albedo", known, light.why_there)) return;
+  }
   for (std::size_t i = 0; i < scene_.environment.size(); ++i) {
-    const auto& environment = scene_.environment[i];
-    if (environment.bottom == bed) continue;
     const std::string set = below(below("environment", i), "set");
-    const auto lit = [&] { return angle_lit_by_one_alone(environment.bottom, bed, light.nm); };
+    const auto lit = [&] { return angle_lit_there_alone(scene_.environment[i], scene_, light.nm); };
     const auto deg = ask(set, lit, light.why_there);
     if (!deg || !*deg || !reported_.insert("bed of " + set).second) continue;
+    const auto& changes = scene_.environment[i].set;
     const auto change = std::ranges::find_if(
-        environment.set, [](const auto& c) { return c.path.starts_with("bottom."); });
-    findings_.add(set, findings_.place_in(set, change == environment.set.end() ? "" : change->path),
+        changes, [](const auto& c) { return c.path.find("bottom.") != std::string::npos; });
+    findings_.add(set, findings_.place_in(set, change == changes.end() ? "" : change->path),
                   fmt::format("in environment {}: the sea bed reflects light of {:.6g} nm and a "
                               "zenith angle of {:g} degrees, but not in the scene itself",
-                              scene::quoted(environment.name), light.nm, **deg),
+                              scene::quoted(scene_.environment[i].name), light.nm, **deg),
                   "no history of the scene goes that way: give its bed a little albedo, too");
   }
 }
@@ -355,7 +354,7 @@ void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>
     const std::size_t before = reported_.size();
     const Wavelength asked = asked_by_channel(line);
     check_index(line.process, asked);
-    check_bed(asked);
+    check_beds(asked);
     check_whitecaps(asked);
     check_film(asked);
     check_air(asked);
@@ -376,7 +375,7 @@ void Checker::check_light() {
   if (!findings_.good({path}) || layers_.empty()) return;
   const Wavelength laser{scene_.source.wavelength_nm, path, "", "the source emits there"};
   check_index(Process::elastic, laser);
-  check_bed(laser);
+  check_beds(laser);
   check_whitecaps(laser);
   check_film(laser);
   check_air(laser);

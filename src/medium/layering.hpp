@@ -63,8 +63,9 @@ struct LayeringView {
 class Layering {
  public:
   Layering() = default;
-  /// Takes some layers' edges, which ascend in each row: [row][layers + 1].
-  Layering(std::span<const double> edges, std::int32_t layers);
+  /// Takes some layers' edges, which ascend in each row, and where each row ends. Of a row with
+  /// fewer layers all edges from its end on are infinite: [row][layers + 1].
+  Layering(std::span<const double> edges, std::int32_t layers, std::span<const double> ends);
 
   [[nodiscard]] LayeringView view(const ShortTable& edge) const;
 

@@ -61,29 +61,92 @@ std::int32_t Medium::phase_count() const {
   return static_cast<std::int32_t>(phase_lines_.numbers().size() / phase_lines);
 }
 
+std::size_t Medium::end_of(std::size_t column) const {
+  return static_cast<std::size_t>(column + 1 < columns() ? row.first_layer[column + 1] : layers());
+}
+
+double Medium::bottom_of(std::size_t layer) const {
+  const auto next = static_cast<std::int32_t>(layer) + 1;
+  const bool last = std::ranges::binary_search(row.first_layer, next);
+  return last ? top.back() : top[layer + 1];
+}
+
 std::vector<double> Medium::depth_integrals(const std::vector<double>& coefficient) const {
-  const auto n_layers = static_cast<std::size_t>(layers());
   std::vector<double> out;
-  for (std::size_t l = 0; l < coefficient.size() / n_layers; ++l) {
-    double sum = 0;
-    out.push_back(sum);
-    for (std::size_t k = 0; k < n_layers; ++k) {
-      const double per_metre = coefficient[l * n_layers + k];
-      if (per_metre != 0) sum += per_metre * (top[k + 1] - top[k]);  // the last layer has no end
+  const auto n_layers = static_cast<std::size_t>(layers());
+  for (std::size_t first = 0; first < coefficient.size(); first += n_layers) {
+    for (std::size_t column = 0, k = 0; column < columns(); ++column) {
+      double sum = 0;
       out.push_back(sum);
+      for (; k < end_of(column); ++k) {
+        const double per_metre = coefficient[first + k];
+        if (per_metre != 0) sum += per_metre * (bottom_of(k) - top[k]);  // the last may be endless
+        out.push_back(sum);
+      }
     }
   }
   return out;
 }
 
-TwinPairs Medium::with_integrals(const std::vector<double>& coefficient, double at_bed) const {
-  auto to_tops = depth_integrals(coefficient);  // and, of each line, to the bed
-  if (bed_albedo.empty()) {
-    const auto n_layers = static_cast<std::size_t>(layers());
-    for (std::size_t i = 0; i < coefficient.size(); ++i) to_tops[i] = to_tops[i + i / n_layers];
-    to_tops.resize(coefficient.size());
+std::vector<double> Medium::to_beds(const std::vector<double>& coefficient) const {
+  std::vector<double> out;
+  const auto integrals = depth_integrals(coefficient);
+  for (std::size_t at = 0; at < integrals.size();) {
+    for (std::size_t column = 0, k = 0; column < columns(); ++column) {
+      at += end_of(column) - k + 1;
+      k = end_of(column);
+      out.push_back(integrals[at - 1]);
+    }
   }
-  return {with_bed<double>(coefficient, at_bed), to_tops};
+  return out;
+}
+
+std::vector<double> Medium::to_places(const std::vector<double>& coefficient) const {
+  const auto integrals = depth_integrals(coefficient);
+  const auto beds = to_beds(coefficient);
+  std::vector<double> out;
+  for (std::size_t at = 0, line = 0; at < integrals.size(); ++line) {
+    for (std::size_t column = 0, k = 0; column < columns(); ++column, ++at)
+      for (; k < end_of(column); ++k) out.push_back(integrals[at++]);
+    if (bed_albedo.empty()) continue;
+    for (std::size_t column = 0; column < columns(); ++column)
+      out.push_back(beds[line * columns() + column]);
+  }
+  return out;
+}
+
+Layering Medium::layering_of(std::span<const double> edges, TwinTable& padded) const {
+  std::size_t most = 0;
+  for (std::size_t column = 0; column < columns(); ++column)
+    most = std::max(most, end_of(column) - static_cast<std::size_t>(row.first_layer[column]));
+  std::vector<double> out, ends;
+  for (std::size_t at = 0; at < edges.size();) {
+    for (std::size_t column = 0, k = 0; column < columns(); ++column) {
+      const std::size_t row_end = out.size() + most + 1;
+      for (; k < end_of(column); ++k) out.push_back(edges[at++]);
+      ends.push_back(edges[at++]);
+      out.resize(row_end, Row::endless);
+    }
+  }
+  padded = TwinTable(out);
+  return {out, static_cast<std::int32_t>(most), ends};
+}
+
+Layering Medium::layering_by(const std::vector<double>& coefficient, TwinTable& edges) const {
+  return layering_of(depth_integrals(coefficient), edges);
+}
+
+Layering Medium::layering_by_depth(TwinTable& edges) const {
+  std::vector<double> depths;
+  for (std::size_t column = 0, k = 0; column < columns(); ++column) {
+    for (; k < end_of(column); ++k) depths.push_back(top[k]);
+    depths.push_back(top.back());
+  }
+  return layering_of(depths, edges);
+}
+
+TwinPairs Medium::with_integrals(const std::vector<double>& coefficient, double at_bed) const {
+  return {with_bed<double>(coefficient, at_bed), to_places(coefficient)};
 }
 
 std::vector<double> Medium::environment_rows() const {
@@ -102,17 +165,7 @@ std::vector<double> Medium::environment_rows() const {
     add_rows(with_bed<double>(table, 0.0, numbers));
   };
   add(environments.excess_c);
-  auto to_edges = depth_integrals(environments.excess_c);
-  if (!bed_albedo.empty()) {  // one more number behind each line's layers + 1
-    std::vector<double> longer;
-    const auto row = static_cast<std::size_t>(layers()) + 1;
-    for (std::size_t i = 0; i < to_edges.size(); ++i) {
-      longer.push_back(to_edges[i]);
-      if ((i + 1) % row == 0) longer.push_back(0);
-    }
-    to_edges = std::move(longer);
-  }
-  add_rows(to_edges);
+  add_rows(to_places(environments.excess_c));
   add(environments.excess_emitted);
   add(environments.excess_part, static_cast<std::size_t>(environments.parts));
   add_rows(environments.excess_bed);
@@ -126,7 +179,7 @@ std::vector<double> Medium::environment_rows() const {
 double Medium::scattering() const {
   double sum = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(layers()); ++k)
-    if (albedo[k] > 0) sum += albedo[k] * c[k] * (top[k + 1] - top[k]);
+    if (albedo[k] > 0) sum += albedo[k] * c[k] * (bottom_of(k) - top[k]);
   return sum;
 }
 
@@ -164,11 +217,9 @@ void Medium::finish() {
   if (kind == MediumKind::air) delay_ = with_integrals(delay, 0);
   albedo_ = TwinTable(with_bed<double>(albedo, 1.0));
   absorption_ = TwinTable(with_bed<double>(absorption, 0.0));
-  const auto to_edges = depth_integrals(c);
-  std::vector<double> to_bed;
-  for (std::size_t l = 1; l <= n_lines; ++l) to_bed.push_back(to_edges[l * (n_layers + 1) - 1]);
-  bed_tau_ = TwinTable(to_bed);
-  by_depth_ = Layering(top, layers());
+  bed_tau_ = TwinTable(to_beds(c));
+  by_depth_ = layering_by_depth(depth_edges_);
+  row_ = RowTables(row, layers(), !bed_albedo.empty());
   environment_rows_ = TwinTable(environment_rows());
   part_phase_ = IndexTableOwner(with_bed<std::int32_t>(
       environments.part_phase, 0, static_cast<std::size_t>(environments.parts)));
@@ -203,7 +254,7 @@ void Medium::finish_bands() {
     }
   }
   std::vector<std::int32_t> padded_lists, list_lengths;
-  if (!bed_albedo.empty()) convertible.emplace_back();  // nothing is converted there
+  if (!bed_albedo.empty()) convertible.resize(n_layers + columns());  // none there
   for (auto& list : convertible) {
     list_lengths.push_back(static_cast<std::int32_t>(list.size()));
     list.resize(static_cast<std::size_t>(bands_));
@@ -237,16 +288,18 @@ MediumView Medium::view() const {
   v.layers = layers();
   v.lines = static_cast<std::int32_t>(line.size());
   v.bands = bands_;
-  v.places = v.layers + (bed_albedo.empty() ? 0 : 1);
-  v.bed_angles =
-      bed_albedo.empty() ? 0 : static_cast<std::int32_t>(bed_albedo.size() / line.size());
+  v.row = row_.view();
+  v.places = v.layers + (bed_albedo.empty() ? 0 : v.row.columns);
+  v.bed_angles = bed_albedo.empty()
+                     ? 0
+                     : static_cast<std::int32_t>(bed_albedo.size() / (line.size() * columns()));
   v.bed_albedo = bed_albedo_.view();
   v.kind = kind;
   v.top = top_.view();
   v.c = c_.view();
   v.albedo = albedo_.view();
   v.bed_tau = bed_tau_.view();
-  v.by_depth = by_depth_.view(v.top);
+  v.by_depth = by_depth_.view(depth_edges_.view());
   v.conversion = conversion_.view();
   v.absorption = absorption_.view();
   v.convertible = convertible_.view();
@@ -267,7 +320,7 @@ MediumView Medium::view() const {
   e.parts = environments.parts;
   const std::int32_t cells = v.lines * v.places;
   e.first_depth = cells;
-  e.first_emitted = e.first_depth + v.lines * (v.places + 1);
+  e.first_emitted = e.first_depth + cells;
   e.first_part = e.first_emitted + cells;
   e.first_bed = e.first_part + cells * e.parts;
   e.first_surface = e.first_bed + static_cast<std::int32_t>(bed_albedo.size());
@@ -295,9 +348,10 @@ MediumView Medium::view() const {
   return v;
 }
 
-std::int32_t Medium::layer_at(double depth_m) const {
-  const auto below = std::upper_bound(top.begin(), top.end() - 1, depth_m);
-  return std::max<std::int32_t>(0, static_cast<std::int32_t>(below - top.begin()) - 1);
+std::int32_t Medium::layer_at(double depth_m, std::size_t column) const {
+  const std::span tops(top.data() + row.first_layer[column], top.data() + end_of(column));
+  const auto below = std::ranges::upper_bound(tops, depth_m) - tops.begin();
+  return row.first_layer[column] + std::max(0, static_cast<std::int32_t>(below) - 1);
 }
 
 }  // namespace photic::medium

@@ -79,6 +79,16 @@ std::optional<double> angle_lit_by_one_alone(const std::optional<Bottom>& one,
   return found == angles.end() ? std::nullopt : std::optional(*found);
 }
 
+std::optional<double> angle_lit_there_alone(const Environment& there, const Scene& here,
+                                            double wavelength_nm) {
+  const auto beds_there = beds_of(there.sea, there.bottom), beds = beds_of(here.sea, here.bottom);
+  for (std::size_t k = 0; k < beds.size(); ++k)
+    if (const auto angle =
+            angle_lit_by_one_alone(beds_there[k].bottom, beds[k].bottom, wavelength_nm))
+      return angle;
+  return std::nullopt;
+}
+
 std::string reported_albedo(const Bottom& bottom) {
   const AlbedoGrid grid = grid_of(bottom);
   const auto [least, most] = std::ranges::minmax(grid.albedo);

@@ -23,6 +23,10 @@ namespace photic::scene {
                                                            const std::optional<Bottom>& other,
                                                            double wavelength_nm);
 
+/// The same of the beds of an environment and a scene, column by column.
+[[nodiscard]] std::optional<double> angle_lit_there_alone(const Environment& there,
+                                                          const Scene& here, double wavelength_nm);
+
 /// The albedo, or from where to where it goes, and where that comes from: "0.1, given",
 /// "0.07 to 0.24, given in /…/sand.csv".
 [[nodiscard]] std::string reported_albedo(const Bottom& bottom);

@@ -22,9 +22,6 @@ void refuse_not_yet(const Scene& scene, Findings& findings) {
     if (column.oil && findings.good({key_of(i, "oil")}))
       findings.add(key_of(i, "oil"), "a film of oil on one column is not yet simulated",
                    "leave it out, or give all columns the film: [oil]");
-    if (column.bottom && findings.good({key_of(i, "bottom")}))
-      findings.add(key_of(i, "bottom"), "a sea bed of one column is not yet simulated",
-                   "leave it out, or give all columns the bed: [bottom]");
   }
   if (scene.atmosphere && findings.good({"atmosphere"}))
     findings.add("atmosphere", "air above columns of water is not yet simulated",

@@ -43,6 +43,16 @@ std::vector<Pile> piles_of(const Sea& sea) {
   return out;
 }
 
+std::vector<PlacedBed> beds_of(const Sea& sea, const std::optional<Bottom>& of_all) {
+  if (sea.column.empty()) return {{of_all, "bottom"}};
+  std::vector<PlacedBed> out;
+  for (const Column& column : sea.column) {
+    const std::string own = fmt::format("sea.column.{}.bottom", out.size());
+    out.push_back(column.bottom ? PlacedBed{column.bottom, own} : PlacedBed{of_all, "bottom"});
+  }
+  return out;
+}
+
 std::vector<PlacedLayer> layers_of(const Sea& sea) {
   std::vector<PlacedLayer> out;
   for (const Pile& pile : piles_of(sea)) {

@@ -137,6 +137,15 @@ struct Pile {
 /// All piles of a sea, column after column: at least one.
 [[nodiscard]] std::vector<Pile> piles_of(const Sea& sea);
 
+/// The bed of the sea, or of one of its columns.
+struct PlacedBed {
+  std::optional<Bottom> bottom;  ///< none: black
+  std::string path;              ///< "bottom", "sea.column.1.bottom"
+};
+
+/// All beds, column after column: at least one. `of_all`: where a column has none of its own.
+[[nodiscard]] std::vector<PlacedBed> beds_of(const Sea& sea, const std::optional<Bottom>& of_all);
+
 /// A layer of a sea, with what messages and results call it.
 struct PlacedLayer {
   const Layer& layer;

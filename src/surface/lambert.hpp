@@ -16,7 +16,7 @@ namespace photic::surface {
 /// Returns which of these places are on a bed that reflects.
 template <class T>
 Mask<T> on_bed(const medium::MediumView& sea, const Index<T>& layer) {
-  return layer == Index<T>(sea.layers);
+  return layer >= Index<T>(sea.layers);
 }
 
 /// An albedo that depends on the angle stands at even steps of sqrt(1 - cos), of 0 to 90 degrees.
@@ -39,10 +39,12 @@ BedAngle<T> bed_angle(const medium::MediumView& sea, const T& cosine) {
   return {inside, place - to_real<T>(inside)};
 }
 
-/// The share of light of a line that it reflects, coming under a cosine to the vertical.
+/// The share of light of a line that it reflects, coming under a cosine to the vertical; in the
+/// column of a place.
 template <class T>
-T bed_albedo(const medium::MediumView& sea, const Index<T>& line, const T& cosine) {
-  const Index<T> row = line * Index<T>(sea.bed_angles);
+T bed_albedo(const medium::MediumView& sea, const Index<T>& line, const Index<T>& place,
+             const T& cosine) {
+  const Index<T> row = sea.template bed_row<T>(line, place);
   if (sea.bed_angles < 2) return gather<T>(sea.bed_albedo, row);
   const auto [first, rest] = bed_angle(sea, cosine);
   const T below = gather<T>(sea.bed_albedo, row + first);

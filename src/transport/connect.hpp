@@ -95,7 +95,8 @@ Connection<T> connect_through_surface(const geometry::Slabs& sea,
       telescope.area() * (safe_towards * cos_air) * overlap * transmitted / area_per_solid_angle,
       T(0));
   const auto up = geometry::to_surface(line, geometry::level_of(sea, at), in_water,
-                                       geometry::Slant<T>::of_secant(secant_water));
+                                       geometry::Slant<T>::of_secant(secant_water),
+                                       geometry::Ray<T>{at.position, direction});
   way.optical_depth = geometry::optical_depths(sea, up).all;
   way.in_water = up;
   way.secant_air = secant_air;
@@ -171,9 +172,10 @@ Connection<T> connect_in_water(const geometry::Slabs& sea,
   const T steep = abs(way.direction.z);
   const auto from = geometry::level_of(sea, at);
   const auto to = sea.level(telescope_layer, telescope_depth);
+  const geometry::Ray<T> ray{at.position, way.direction};
   const auto there = mirrored ? geometry::by_surface(line, from, to, distance,
-                                                     geometry::Slant<T>::of_cosine(steep))
-                              : geometry::Segment<T>{line, from, to, distance};
+                                                     geometry::Slant<T>::of_cosine(steep), ray)
+                              : geometry::Segment<T>{line, from, to, distance, ray};
   way.optical_depth = geometry::optical_depths(sea, there).all;
   way.in_water = there;
   way.path = path_within(sea, telescope, at.position, there, {});

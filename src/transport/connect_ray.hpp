@@ -48,7 +48,7 @@ RayConnection<T> connect_ray(const geometry::Slabs& sea, const instrument::Teles
   const Mask<T> detected = way.exists & seen.on_detector;
   if (!any(detected)) return connection;
   const auto in_water =
-      geometry::along(sea, way, line, geometry::level_of(sea, at), way.length_water);
+      geometry::along(sea, way, line, geometry::level_of(sea, at), way.length_water, at.position);
   connection.acceptance = select(
       detected, telescope.area() * seen.cos_off_axis * way.throughput / way.area_per_solid_angle,
       T(0));

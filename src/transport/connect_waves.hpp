@@ -16,8 +16,14 @@ template <class T>
 geometry::Segment<T> from_surface_in_water(const medium::MediumView& sea,
                                            const geometry::Region<T>& region, const Index<T>& line,
                                            const FromSurface<T>& way) {
-  return geometry::to_surface(line, sea.level(region.layer, way.depth()), way.length,
-                              geometry::Slant<T>::of_cosine(T(-way.direction.z)));
+  const T depth = way.depth();
+  const auto slant = geometry::Slant<T>::of_cosine(T(-way.direction.z));
+  if (!sea.row.has_faces) [[likely]]
+    return geometry::to_surface(line, sea.level(region.layer, depth), way.length, slant);
+  const Vec3<T> lens = way.lens();
+  const auto level = geometry::level_in(sea, sea.row.column_at(lens.x), region.layer, depth);
+  return geometry::to_surface(line, level, way.length, slant,
+                              geometry::Ray<T>{lens, T(-1) * way.direction});
 }
 /// Optical depth from the surface straight to a point of the lens.
 template <class T>
@@ -164,7 +170,8 @@ WavesConnection<T> connect_by_waves(const geometry::Slabs& sea,
                               (telescope.area() * out.sight.cos_off_axis / (l2 * l2)),
                           T(0));
   const auto up = geometry::to_surface(line, geometry::level_of(sea, photon), l1,
-                                       geometry::Slant<T>::of_cosine(out.direction.z));
+                                       geometry::Slant<T>::of_cosine(out.direction.z),
+                                       geometry::Ray<T>{photon.position, out.direction});
   out.in_water = up;
   out.optical_depth =
       geometry::optical_depths(sea, up).all + depth_to_lens(sea, region, line, point.onward);
@@ -239,6 +246,7 @@ SurfaceConnection<T> connect_in_line(const geometry::Slabs& sea,
   const auto by_facet = surface::meet_facet(surface.face, n1, n2, photon.direction, facet);
   const T v = surface::visibility(photon.direction, facet);
   FromSurface<T> way;
+  way.at = photon.position;
   way.direction = select(reflects, by_facet.reflected, by_facet.transmitted);
   const auto hit = come_to_lens(telescope, photon.position, way.direction);
   way.length = hit.distance;

@@ -42,14 +42,15 @@ CameUp<T> come_up(const geometry::Slabs& sea, Photon<T>& photon) {
   const T steep = select(rises, photon.direction.z, T(1));
   const T length = geometry::depth_of(photon.position) / steep;
   const auto way = geometry::to_surface(photon.line, geometry::level_of(sea, photon), length,
-                                        geometry::Slant<T>::of_cosine(steep));
+                                        geometry::Slant<T>::of_cosine(steep),
+                                        geometry::Ray<T>{photon.position, photon.direction});
   const T tau = geometry::optical_depths(sea, way).all;
   const Vec3<T> there = photon.position + length * photon.direction;
   const T path = geometry::group_path(sea, way);
   photon.position = select(rises, Vec3<T>{there.x, there.y, T(0)}, photon.position);
   photon.path = photon.path + select(rises, path, T(0));
   photon.weight = photon.weight * select(rises, exp_minus(tau), T(1));
-  photon.layer = select(rises, Index<T>(0), photon.layer);
+  photon.layer = select(rises, sea.row.surface_layer_at(there.x), photon.layer);
   return {rises, way};
 }
 

@@ -19,7 +19,8 @@ struct FlightEnd {
   T length{};        ///< of the flight [m]
   T rest{};          ///< of the free path, of photons at the surface
   Index<T> layer{};  ///< the photon's; of one at the surface, where its free path ends if reflected
-};  ///< neither surface nor black bed: it collides where it stands, in water or on the bed
+  Mask<T> sideways{};  ///< the photon has left a row of columns by a side
+};                     ///< none of these: it collides where it stands, in water or on the bed
 
 /// The start of flights.
 template <class T>
@@ -48,19 +49,21 @@ struct FreePath {
   Index<T> layer{};
 };
 
-/// Moves a photon in the water by a free path, across layers, or to the surface or the sea bed. The
-/// weight takes the ratio of the true density of free paths to the drawn one, exp(-(tau - tau')),
-/// and c / c' at a collision.
+/// Moves a photon in a column of water by a free path, across layers, or to the surface or the sea
+/// bed. The weight takes the ratio of the true density of free paths to the drawn one,
+/// exp(-(tau - tau')), and c / c' at a collision.
 template <class T>
-FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const FlightStart<T>& from,
-                 const FreePath<T>& path) {
+FlightEnd<T> fly_in_column(const geometry::Slabs& sea, Photon<T>& photon,
+                           const FlightStart<T>& from, const FreePath<T>& path) {
   const T down = -photon.direction.z;
   const T& target = path.target;
   FlightEnd<T> end;
   end.surface = (target <= T(0)) & (down < T(0));
   end.layer = path.layer;
-  const Index<T> layer = select(end.surface, Index<T>(0), path.layer);
-  end.sea_bed = target > gather<T>(sea.by_walk_tau.end, photon.line);
+  const Index<T> layer =
+      select(end.surface, sea.row.template surface_layer<T>(path.layer), path.layer);
+  end.sea_bed = target > gather<T>(sea.by_walk_tau.end,
+                                   sea.row.template layering_row<T>(photon.line, photon.layer));
   const Mask<T> stopped = end.surface | end.sea_bed;
   const Mask<T> stays = (layer == photon.layer) & !stopped;
   const Index<T> here = sea.at(photon.line, layer);
@@ -88,7 +91,7 @@ FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const FlightStar
   photon.position = there;
   photon.layer = layer;
   if (sea.bed_angles > 0) {
-    photon.layer = select(end.sea_bed, Index<T>(sea.layers), layer);
+    photon.layer = select(end.sea_bed, sea.template bed_below<T>(layer), layer);
     end.sea_bed = Mask<T>(false);
   }
   photon.path = photon.path + geometry::group_path(
@@ -103,22 +106,79 @@ FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const FlightStar
 /// The same, by a free path given as an optical depth: -ln(u) of the medium's walk coefficient c',
 /// which is less than c.
 template <class T>
-FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const FlightStart<T>& from,
-                 const T& free_path) {
+FlightEnd<T> fly_in_column(const geometry::Slabs& sea, Photon<T>& photon,
+                           const FlightStart<T>& from, const T& free_path) {
   using std::abs;
   const T target = from.walk_tau - free_path * photon.direction.z;
-  const auto layer = sea.by_walk_tau.layer_of(photon.line, photon.layer, T(abs(target)));
-  return fly(sea, photon, from, FreePath<T>{free_path, target, layer});
+  const auto layer = sea.row.layer_of(sea.by_walk_tau, photon.line, photon.layer, T(abs(target)));
+  return fly_in_column(sea, photon, from, FreePath<T>{free_path, target, layer});
+}
+
+/// Moves photons along a ray to the end of a piece of it, without colliding. Returns how deep it
+/// is, by the coefficient that free paths are drawn from.
+template <class T>
+T fly_through(const geometry::Slabs& sea, const FlightStart<T>& from, const geometry::Ray<T>& ray,
+              const geometry::InColumn<T>& piece, Photon<T>& photon) {
+  const T length = piece.to - piece.from;
+  photon.position = ray.start + piece.to * ray.direction;
+  photon.layer = sea.layer_at(photon.layer, geometry::depth_of(photon.position));
+  const auto to = geometry::level_of(sea, photon);
+  const T absorbed_tau =
+      sea.continuous_slant_optical_depth(photon.line, from.level, from.continuous, to, length);
+  const T ratio = exp_minus(absorbed_tau);
+  photon.weight = photon.weight * ratio;
+  photon.analog_weight = photon.analog_weight * ratio;
+  const geometry::Segment<T> way{photon.line, from.level, to, length};
+  photon.path = photon.path + geometry::group_path(sea, way);
+  return geometry::depths_in_column(sea, way).walk;
+}
+
+/// The flight of photons through the columns of a row. They fly in one as if there were no other;
+/// those that would end beyond a face go on from there by what is left of their free path.
+template <class T>
+PHOTIC_APART FlightEnd<T> fly_through_columns(const geometry::Slabs& sea, Photon<T>& photon,
+                                              T free_path) {
+  const geometry::Ray<T> ray{photon.position, photon.direction};
+  const Index<T> first = sea.row.template column<T>(photon.layer);
+  FlightEnd<T> out{Mask<T>(false), Mask<T>(false)};
+  const auto fly_in = [&](const geometry::InColumn<T>& piece) {
+    Photon<T> there = photon;
+    there.layer =
+        geometry::level_in(sea, piece.column, there.layer, geometry::depth_of(there.position))
+            .layer;
+    Photon<T> passing = there;
+    const auto from = flight_start(sea, there);
+    const FlightEnd<T> end = fly_in_column(sea, there, from, free_path);
+    const Mask<T> passes = piece.on & (end.length > piece.to - piece.from);
+    const Mask<T> ends = piece.on & !passes;
+    out.surface = out.surface | (ends & end.surface);
+    out.sea_bed = out.sea_bed | (ends & end.sea_bed);
+    out.layer = select(ends, end.layer, out.layer);
+    out.rest = select(ends, end.rest, out.rest);
+    out.length = select(piece.on, select(passes, piece.to, piece.from + end.length), out.length);
+    photon = select(ends, there, photon);
+    if (!any(passes)) return passes;
+    const T left = free_path - fly_through(sea, from, ray, piece, passing);
+    free_path = select(passes & (left > T(0)), left, select(passes, T(0), free_path));
+    photon = select(passes, passing, photon);
+    return passes;
+  };
+  const T endless(medium::RowView::never);
+  out.sideways = geometry::each_column(sea.row, ray, first, endless, Mask<T>(true), fly_in);
+  return out;
+}
+
+/// The flight of a photon in the water by such a free path.
+template <class T>
+FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const FlightStart<T>& from,
+                 const T& free_path) {
+  if (sea.row.has_faces) [[unlikely]]
+    return fly_through_columns(sea, photon, free_path);
+  return fly_in_column(sea, photon, from, free_path);
 }
 template <class T>
 FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const T& free_path) {
   return fly(sea, photon, flight_start(sea, photon), free_path);
-}
-
-/// The layer of a depth; on an edge `from`, if that is one of the two, else the upper one.
-template <class T>
-Index<T> layer_at(const geometry::Slabs& sea, const Index<T>& from, const T& depth) {
-  return sea.by_depth.layer_of(Index<T>(0), from, depth);
 }
 
 /// Moves a photon by a distance, whatever it passes. Returns whether it is still in the water.
@@ -127,16 +187,23 @@ Mask<T> advance(const geometry::Slabs& sea, Photon<T>& photon, const T& distance
   const auto from = geometry::level_of(sea, photon);
   photon.position = photon.position + distance * photon.direction;
   const T depth = -photon.position.z;
-  photon.layer = layer_at(sea, photon.layer, depth);
+  if (sea.row.has_faces) [[unlikely]] {
+    const auto column = sea.row.column_at(photon.position.x);
+    photon.layer = geometry::level_in(sea, column, photon.layer, depth).layer;
+  }
+  photon.layer = sea.layer_at(photon.layer, depth);
   photon.path =
       photon.path +
       geometry::group_path(
           sea, geometry::Segment<T>{photon.line, from, geometry::level_of(sea, photon), distance});
-  return (depth > T(0)) & (depth < T(sea.top[sea.layers]));
+  const Mask<T> in_water = (depth > T(0)) & (depth < T(sea.top[sea.layers]));
+  if (!sea.row.has_faces) [[likely]]
+    return in_water;
+  return in_water & sea.row.covers(photon.position.x, photon.position.y);
 }
 
 /// Has photons whose flight ended at the surface go on by what is left of their free path, which
-/// has no memory: reflect(mask, photon) sends them back.
+/// has no memory: reflect(mask, photon) sends them back. Not in a row of columns.
 template <class T, class Reflect>
 void fly_on(const geometry::Slabs& sea, Photon<T>& photon, FlightEnd<T>& end, Reflect reflect) {
   const Mask<T> reflected = end.surface;
@@ -144,7 +211,8 @@ void fly_on(const geometry::Slabs& sea, Photon<T>& photon, FlightEnd<T>& end, Re
   Photon<T> down = photon;
   reflect(reflected, down);
   const FreePath<T> rest{end.rest, T(0) - end.rest * down.direction.z, end.layer};
-  const FlightEnd<T> onward = fly(sea, down, flight_start_at_surface<T>(sea, down.line), rest);
+  const auto from = flight_start_at_surface<T>(sea, down.line);
+  const FlightEnd<T> onward = fly_in_column(sea, down, from, rest);
   photon.position = select<T>(reflected, down.position, photon.position);
   photon.direction.z = select(reflected, down.direction.z, photon.direction.z);
   photon.layer = select(reflected, down.layer, photon.layer);

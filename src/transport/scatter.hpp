@@ -46,7 +46,7 @@ T scattered_share(const medium::MediumView& sea, const Index<T>& line, const Ind
                   const T& cosine) {
   const T albedo = gather<T>(sea.albedo, sea.at(line, layer));
   if (sea.bed_angles == 0) return albedo;
-  const T of_bed = surface::bed_albedo(sea, line, cosine);
+  const T of_bed = surface::bed_albedo(sea, line, layer, cosine);
   return select(surface::on_bed<T>(sea, layer), of_bed, albedo);
 }
 /// Density of the directions that it leaves in: a phase function, or Lambert's law [1/sr].

@@ -84,11 +84,14 @@ T density_by_slopes(const NearLevel<T>& g, const surface::WavesView& waves, cons
 /// The straight way from a point of the surface to one of the lens.
 template <class T>
 struct FromSurface {
+  Vec3<T> at;  ///< the point of the surface
   Vec3<T> direction;
   T length{};
   instrument::Sight<T> sight;
   Mask<T> seen{};  ///< by the detector
 
+  /// The point of the lens.
+  [[nodiscard]] Vec3<T> lens() const { return at + length * direction; }
   /// The depth of the point of the lens, if it is in the water.
   [[nodiscard]] T depth() const { return T(0) - direction.z * length; }
   /// The distance from the surface of one that stands outside.
@@ -101,6 +104,7 @@ FromSurface<T> from_surface(const instrument::Telescope<T>& telescope,
                             const instrument::PlanePoint<T>& lens, const Vec3<T>& at) {
   const Vec3<T> way = in_space(telescope, lens) - at;
   FromSurface<T> out;
+  out.at = at;
   out.length = length(way);
   out.direction = (T(1) / out.length) * way;
   out.sight = sight(telescope, lens, out.direction);

@@ -104,7 +104,7 @@ struct AnalogSteps {
     birth_at_laser(world, w[0], w[1], exist, p, ledger);
     if (!world.instruments.laser_region.outside) return p;
     if (world.tallies && world.tallies->escapes_at_surface)
-      TallyEvents<T>(world, tally).leave_source(p.photon, exist);
+      TallyEvents<T>(world, tally).leave_source(p.photon, exist, p.on);
     cross_surface(p, p.on, true, w[2], T(0));
     return p;
   }
@@ -234,7 +234,7 @@ struct AnalogSteps {
                     const Index<T>& touched, const Mask<T>& flying,
                     const transport::FlightEnd<T>& end) {
     const TallyEvents<T> events(world, tally);
-    events.flown(before, after, end.length, flying, end.sea_bed);
+    events.flown(before, after, end, flying);
     if (!world.tallies->escapes_at_end) return;
     events.escape(of_source(after, flying & end.sea_bed), T(0) - after.direction.z, after.weight,
                   events.were_in_water(touched));
@@ -247,6 +247,7 @@ struct AnalogSteps {
     const auto onward = fly_to_detectors(down, p.touched, flying, u[2], depth);
     p.photon = select(flying, down, p.photon);
     end.sea_bed = end.sea_bed | (flying & onward.sea_bed);
+    end.sideways = end.sideways | (flying & onward.sideways);
     return end;
   }
   /// A flight in the water, whose photons may meet a detector there.

@@ -129,9 +129,8 @@ template <class T>
 void Connections<T>::meet_free(const FreePairing<T>& pairing, const Mask<T>& mask,
                                const Met<T>& met) {
   const Mask<T> bed = pairing.bed == Index<T>(1);
-  meet_at(
-      pairing, mask, met, pairing.depth,
-      select(bed, Index<T>(sea_.layers), transport::layer_at(sea_, met.out->layer, pairing.depth)));
+  meet_at(pairing, mask, met, pairing.depth,
+          select(bed, Index<T>(sea_.layers), sea_.layer_at(met.out->layer, pairing.depth)));
 }
 /// c / c' of a collision at a first vertex, which is in the weight of a walk that has come there.
 template <class T>

@@ -248,7 +248,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_translated(const RayPairi
   const auto meet_on_grid = [&](const Index<T>& lane, const T& number, const Mask<T>& points) {
     const auto& pair = lanes::of_lanes<T>(pairs, lane);
     const T depth = grid.depth(number + pair.birth.grid_offset, pair.pairing.order());
-    meet_translated(pair, points, depth, transport::layer_at(sea_, pair.out.layer, depth));
+    meet_translated(pair, points, depth, sea_.layer_at(pair.out.layer, depth));
   };
   lanes::each_number(mask, grid.number(chord.from, pairing.order()) - pairs.birth.grid_offset,
                      grid.number(chord.to, pairing.order()) - pairs.birth.grid_offset,
@@ -292,8 +292,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_rotated(const PlacedPairi
   back.position = rotation.of_place(pair.back.position);
   back.direction = rotation.of_direction(pair.back.direction);
   met.back = &back;
-  meet_at(pairing, mask, met, pairing.depth,
-          transport::layer_at(sea_, pair.out.layer, pairing.depth));
+  meet_at(pairing, mask, met, pairing.depth, sea_.layer_at(pair.out.layer, pairing.depth));
 }
 
 /// Changes the densities near the first vertex of a telescope's walk, of two vertices or more, that

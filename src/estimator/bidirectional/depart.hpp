@@ -42,8 +42,8 @@ void depart_from_bed(const geometry::Slabs& sea, const transport::Photon<T>& bef
   const auto [cosine, sine] = cos_sin_of_turns(u.azimuth);
   const Vec3<T> up{T(0), T(0), T(1)};
   const Vec3<T> fresh = turned(up, surface::lambert_one_minus_cos(u.polar), cosine, sine);
-  const T albedo =
-      surface::bed_albedo(sea, before.line, from_telescope ? fresh.z : T(-before.direction.z));
+  const T albedo = surface::bed_albedo(sea, before.line, before.layer,
+                                       from_telescope ? fresh.z : T(-before.direction.z));
   photon.direction = select(bed, fresh, photon.direction);
   photon.weight = select(bed, before.weight * albedo, photon.weight);
   photon.analog_weight = select(bed, before.analog_weight * albedo, photon.analog_weight);

@@ -16,10 +16,11 @@ void ratios_at(const World<T>& world, const ForwardTracks<T>& from, const transp
   if (!has_environments<Events>(world)) return;
   const transport::Photon<T>& before = from.photon;
   estimates.begin(from.ratios);
-  add_segment(world.slabs,
-              {at.line, geometry::level_of(world.slabs, before),
-               geometry::level_of(world.slabs, at), moved},
-              estimates.unflown);
+  add_segment(
+      world.slabs,
+      {at.line, geometry::level_of(world.slabs, before), geometry::level_of(world.slabs, at), moved,
+       geometry::Ray<T>{before.position, before.direction}},
+      estimates.unflown);
 }
 
 /// The number that a flight's free path is drawn by. A free path -ln(u) leaves the water where u is
@@ -55,7 +56,7 @@ void score_further_points(const World<T>& world, const ForwardTracks<T>& tracks,
       });
     }
     const Mask<T> scored =
-        travelling & !(end.surface | end.sea_bed) & in_time(world.instruments, at);
+        travelling & !(end.surface | end.sea_bed | end.sideways) & in_time(world.instruments, at);
     if (!any(scored)) continue;
     ratios_at<Events>(world, tracks, at, end.length, estimates);
     score_light<Events>(world, tracks, at, weight_at_point(world.forward, at), scored, at.line,

@@ -133,7 +133,8 @@ ForcedCollision<T> force_collision(const geometry::Slabs& sea, transport::Photon
   const transport::FlightEnd<T> end = transport::fly(sea, flown, minus_log(u.distance));
   transport::Photon<T> placed = photon;
   const Mask<T> in_water = transport::advance(sea, placed, distance);
-  const Mask<T> collides = !(end.surface | end.sea_bed | surface::on_bed<T>(sea, flown.layer));
+  const Mask<T> collides =
+      !(end.surface | end.sea_bed | end.sideways | surface::on_bed<T>(sea, flown.layer));
   const Mask<T> reached = select(forced, in_water, collides);
   const T moved = select(forced, distance, end.length);
   photon.position = select(forced, placed.position, flown.position);
@@ -143,7 +144,8 @@ ForcedCollision<T> force_collision(const geometry::Slabs& sea, transport::Photon
   const Index<T> here = sea.at(photon.line, photon.layer);
   const auto tau = geometry::optical_depths(
       sea, geometry::Segment<T>{photon.line, geometry::level_of(sea, before),
-                                geometry::level_of(sea, photon), moved});
+                                geometry::level_of(sea, photon), moved,
+                                geometry::Ray<T>{before.position, before.direction}});
   T density = (T(1) - share) * gather<T>(sea.walk_c.first, here) * exp_minus(tau.walk);
   const T per_view = share / select(count > T(0), count, T(1));
   for (std::size_t k = 0; k < taking_part; ++k)

@@ -60,8 +60,7 @@ struct ForwardSteps {
     companions.before(photon);
     auto end = transport::fly(world.slabs, photon, t.free_path);
     if constexpr (Events::tallies)
-      if (world.tallies)
-        TallyEvents<T>(world, tally).flown(t.ratios.before, photon, end.length, t.on, end.sea_bed);
+      if (world.tallies) TallyEvents<T>(world, tally).flown(t.ratios.before, photon, end, t.on);
     if (flies_on()) {
       transport::fly_on(world.slabs, photon, end, [&](const Mask<T>& reflected, auto& down) {
         t.on = (t.on & !reflected) | reflect_in_flight(t, t.on & reflected, down);
@@ -137,7 +136,8 @@ struct ForwardSteps {
 
   /// Books the weight that the bed absorbs.
   void book_bed(const transport::Photon<T>& photon, const Mask<T>& colliding) {
-    const T albedo = surface::bed_albedo(world.slabs, photon.line, T(-photon.direction.z));
+    const T albedo =
+        surface::bed_albedo(world.slabs, photon.line, photon.layer, T(-photon.direction.z));
     book(ledger.sea_bed, colliding & surface::on_bed<T>(world.slabs, photon.layer),
          photon.weight * (T(1) - albedo));
   }

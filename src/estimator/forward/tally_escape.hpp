@@ -61,7 +61,8 @@ bool counts_at_surface(const World<T>& world) {
 template <class Ledger, class T>
 void tally_birth(const World<T>& world, const ForwardTracks<T>& t, const Mask<T>& exist,
                  tally::BatchTally& tally) {
-  if (world.tallies->escapes_at_surface) TallyEvents<T>(world, tally).leave_source(t.photon, exist);
+  if (world.tallies->escapes_at_surface)
+    TallyEvents<T>(world, tally).leave_source(t.photon, exist, t.on);
   if (counts_at_surface(world)) tally_at_surface<Ledger>(world, t, t.photon, t.on, true, tally);
 }
 

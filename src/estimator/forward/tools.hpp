@@ -69,8 +69,9 @@ void begin_with_tools(const World<T>& world, ForwardTracks<T>& tracks, const Mas
   const Mask<T> forced = are_forced(world.forward.tools, tracks.place);
   if (!any(forced)) return;
   const auto away = escape(world.slabs, photon);
-  book(ledger.escaped, on & forced & away.surface, away.weight);
-  book(ledger.sea_bed, on & forced & !away.surface, away.weight);
+  const Mask<T> into_bed = !(away.surface | away.sideways);
+  book(ledger.escaped, on & forced & !into_bed, away.weight);
+  book(ledger.sea_bed, on & forced & into_bed, away.weight);
   if (world.part.beyond.exists)
     pass_forced<Events>(world, tracks, on & forced & away.surface & (away.weight > T(0)),
                         away.weight, leave);

@@ -9,13 +9,9 @@
 
 namespace photic::estimator {
 
-Boundaries::Boundaries(const Cells& cells, ContinuousAbsorption absorption,
-                       std::vector<double> share, std::vector<double> lost,
+Boundaries::Boundaries(const Cells& cells, std::vector<double> share, std::vector<double> lost,
                        const std::vector<double>& zenith_deg)
-    : cells_(cells),
-      absorption_(std::move(absorption)),
-      share_(std::move(share)),
-      lost_(std::move(lost)) {
+    : cells_(cells), share_(std::move(share)), lost_(std::move(lost)) {
   for (const double degrees : zenith_deg) cosines_.push_back(std::cos(degrees * radian_per_degree));
 }
 
@@ -25,12 +21,13 @@ void Boundaries::absorb(std::size_t layer, double weight, tally::TallyScores& sc
     if (share_[i] > 0) scores.add(cells_.absorbed + i, weight * share_[i]);
 }
 
-void Boundaries::fly(const Flight& flight, tally::TallyScores& scores) const {
+void Boundaries::fly(const Flight& flight, const ContinuousAbsorption& absorption,
+                     tally::TallyScores& scores) const {
   double weight = flight.weight;
-  each_layer(absorption_, flight, [&](std::size_t layer, double length, double) {
-    const double depth = absorption_.per_m(layer) * length;
+  each_layer(absorption, flight, [&](std::size_t layer, double length, double) {
+    const double depth = absorption.per_m(layer) * length;
     const double lost = weight * depth * decay_over(depth).mean;
-    absorb(layer, lost, scores);  // if weights grow, by collisions instead
+    absorb(absorption.first_layer() + layer, lost, scores);  // if weights grow, by collisions
     weight -= lost;
   });
 }

@@ -24,11 +24,12 @@ class Boundaries {
   };
   /// `share`: of a layer's absorption, each constituent's, [layer][constituent]; `lost`: the share
   /// of weight that a collision in a layer takes. `zenith_deg`: edges.
-  Boundaries(const Cells& cells, ContinuousAbsorption absorption, std::vector<double> share,
-             std::vector<double> lost, const std::vector<double>& zenith_deg);
+  Boundaries(const Cells& cells, std::vector<double> share, std::vector<double> lost,
+             const std::vector<double>& zenith_deg);
 
   /// Books the absorption along a flight.
-  void fly(const Flight& flight, tally::TallyScores& scores) const;
+  void fly(const Flight& flight, const ContinuousAbsorption& absorption,
+           tally::TallyScores& scores) const;
   /// Books that of a collision; `weight`: before it loses any there.
   void collide(std::size_t layer, double weight, tally::TallyScores& scores) const {
     if (lost_[layer] > 0) absorb(layer, weight * lost_[layer], scores);
@@ -47,7 +48,6 @@ class Boundaries {
 
  private:
   Cells cells_;
-  ContinuousAbsorption absorption_;
   std::vector<double> share_, lost_;
   std::vector<double> cosines_;  ///< edges of the zenith angles, descending
 };

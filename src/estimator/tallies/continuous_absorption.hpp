@@ -1,4 +1,5 @@
-// The absorption along flights in the layers on one side of the surface, for the source's light:
+// The absorption along flights in the layers on one side of the surface, or in those of a column
+// of a row, for the source's light:
 // what free paths are not drawn from (geometry/free_paths.hpp).
 #pragma once
 
@@ -33,9 +34,11 @@ class ContinuousAbsorption {
  public:
   /// None: a vacuum.
   ContinuousAbsorption() : edges_{0, infinite}, per_m_{0}, integral_{0} {}
-  explicit ContinuousAbsorption(const geometry::Slabs& slabs) {
+  explicit ContinuousAbsorption(const geometry::Slabs& slabs, std::int32_t column = 0) {
     const Index<double> line = 0;
-    for (std::int32_t k = 0; k < slabs.layers; ++k) {
+    const auto first = gather_index<double>(slabs.row.first_layer, column);
+    first_layer_ = static_cast<std::size_t>(first);
+    for (auto k = first; k < gather_index<double>(slabs.row.first_layer, column + 1); ++k) {
       const auto [here, above] = gather_pair<double>(slabs.continuous_c, slabs.at(line, k));
       edges_.push_back(gather<double>(slabs.top, k));
       per_m_.push_back(here);
@@ -45,6 +48,8 @@ class ContinuousAbsorption {
   }
 
   [[nodiscard]] std::size_t layers() const { return per_m_.size(); }
+  /// Of the medium's, that of the first one here.
+  [[nodiscard]] std::size_t first_layer() const { return first_layer_; }
   [[nodiscard]] double per_m(std::size_t layer) const { return per_m_[layer]; }
   [[nodiscard]] double begin_of(std::size_t layer) const { return edges_[layer]; }
   [[nodiscard]] double end_of(std::size_t layer) const { return edges_[layer + 1]; }
@@ -73,6 +78,11 @@ class ContinuousAbsorption {
         integral_to(distance, flight.layer) - integral_to(flight.from, flight.layer);
     return flight.weight * decay_over(farther * flight.length / (flight.to - flight.from)).there;
   }
+  /// The same at its end.
+  [[nodiscard]] double weight_at_end(const Flight& flight) const {
+    if (flight.to != flight.from) return weight_at(flight, flight.to);
+    return flight.weight * decay_over(per_m_[flight.layer] * flight.length).there;
+  }
   /// The length of a piece of a flight within a layer times its mean weight, which it has at its
   /// start.
   [[nodiscard]] double track(std::size_t layer, double weight, double length) const {
@@ -89,6 +99,7 @@ class ContinuousAbsorption {
     return integral_[layer] + per_m_[layer] * (distance - edges_[layer]);
   }
 
+  std::size_t first_layer_ = 0;
   std::vector<double> edges_, per_m_, integral_;
 };
 

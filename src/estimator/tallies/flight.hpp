@@ -16,7 +16,7 @@ struct Flight {
   double from = 0, to = 0;  ///< distances at its ends
   double length = 0;        ///< [m]
   double weight = 0;        ///< at its start
-  std::size_t layer = 0;    ///< where it starts
+  std::size_t layer = 0;    ///< where it starts, among those of its column
 
   [[nodiscard]] double near() const { return from < to ? from : to; }
   [[nodiscard]] double far() const { return from < to ? to : from; }

@@ -26,6 +26,8 @@ class Maker {
     out_.escapes_at_end = in_air();
     out_.source_height_m = model.scene.source.position_m.z;
     out_.begins_in_water = geometry::stands_in_water(model.as_given.source.position_m);
+    for (std::int32_t column = 0; column < slabs.row.columns; ++column)
+      out_.inside.push_back({ContinuousAbsorption(slabs, column), {}, {}});
   }
 
   Tallies operator()() {
@@ -59,25 +61,26 @@ class Maker {
     return first_cell(grids_, grid).value();
   }
 
-  /// Calls f(the tallies of a side, whether it is the air's, its absorption) for the sides that
-  /// this world follows flights on.
+  /// Calls f(the tallies of a side, whether it is the air's) for the sides that this world follows
+  /// flights on, and each of its columns.
   template <class F>
   void each_side(F f) {
-    f(out_.inside, in_air() || model_.is_air_alone(), ContinuousAbsorption(slabs_));
-    if (out_.escapes_at_surface && !model_.is_air_alone())
-      f(out_.outside, true, ContinuousAbsorption());
+    for (FlightTallies& column : out_.inside) f(column, in_air() || model_.is_air_alone());
+    if (out_.escapes_at_surface && !model_.is_air_alone()) f(out_.outside, true);
   }
 
   void add_irradiance(const scene::Tally& tally) {
     const Irradiance::Cells down{cell("irradiance_down"), cell("scalar_irradiance_down")};
     const Irradiance::Cells up{cell("irradiance_up"), cell("scalar_irradiance_up")};
     const auto levels = levels_of(tally);
-    each_side([&](FlightTallies& side, bool of_air, const ContinuousAbsorption& absorption) {
+    each_side([&](FlightTallies& side, bool of_air) {
+      const ContinuousAbsorption& absorption = side.absorption;
       std::vector<Irradiance::Level> here;
-      for (std::size_t i = 0; i < levels.size(); ++i)
-        if (levels[i].in_air == of_air)
-          here.push_back(
-              {i, off_source(model_.from_surface(levels[i])), slab_at(tally, levels[i], of_air)});
+      for (std::size_t i = 0; i < levels.size(); ++i) {
+        if (levels[i].in_air != of_air) continue;
+        const double distance = model_.from_surface(levels[i]);
+        here.push_back({i, off_source(distance), slab_at(tally, distance, side, of_air)});
+      }
       if (here.empty()) return;
       const bool rises = rises_away(of_air);
       const double end =
@@ -93,13 +96,12 @@ class Maker {
     return std::abs(distance - source) < farther / 2 * distance ? distance * (1 + farther)
                                                                 : distance;
   }
-  [[nodiscard]] double slab_at(const scene::Tally& tally, const TallyLevel& level,
-                               bool of_air) const {
+  [[nodiscard]] double slab_at(const scene::Tally& tally, double distance,
+                               const FlightTallies& side, bool of_air) const {
     if (tally.slab_m) return *tally.slab_m;
     if (of_air && !in_air() && !model_.is_air_alone()) return usual_slab_in_vacuum;
-    const auto layer = model_.medium.layer_at(model_.from_surface(level));
-    const double c = model_.medium.c[static_cast<std::size_t>(layer)];
-    return usual_slab / c;
+    const ContinuousAbsorption& absorption = side.absorption;
+    return usual_slab / model_.medium.c[absorption.first_layer() + absorption.layer_of(distance)];
   }
 
   void add_boundaries(const scene::Tally& tally) {
@@ -129,8 +131,7 @@ class Maker {
             absorbers.share_of(k, i);
       }
     }
-    out_.boundaries.emplace(cells, ContinuousAbsorption(slabs_), std::move(share), std::move(lost),
-                            tally.zenith_deg);
+    out_.boundaries.emplace(cells, std::move(share), std::move(lost), tally.zenith_deg);
   }
   /// The share of the weight that a collision in a layer takes: what is not absorbed along flights
   /// already. Where free paths are drawn more often than light collides, weights grow along them,
@@ -152,7 +153,7 @@ class Maker {
 
   void add_fluence(const scene::Tally& tally) {
     const bool of_air = !tally.height_m.empty();
-    each_side([&](FlightTallies& side, bool is_air, const ContinuousAbsorption& absorption) {
+    each_side([&](FlightTallies& side, bool is_air) {
       if (is_air != of_air) return;
       const bool rings = !tally.radius_m.empty();
       Fluence::Edges edges{{}, rings ? tally.radius_m : tally.x_m, rings};
@@ -161,7 +162,7 @@ class Maker {
       const scene::Source& source = model_.scene.source;
       const Vec3<double> zero = rings ? source.position_m : Vec3<double>{};
       side.fluence.emplace_back(std::move(edges), zero - origin_of(source, model_.medium.kind),
-                                absorption, cell(fluence_name(tally)));
+                                side.absorption, cell(fluence_name(tally)));
     });
   }
 

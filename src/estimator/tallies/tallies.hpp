@@ -12,8 +12,9 @@
 
 namespace photic::estimator {
 
-/// The tallies of flights on one side of the surface.
+/// The tallies of flights on one side of the surface, or in a column of a row.
 struct FlightTallies {
+  ContinuousAbsorption absorption;
   std::optional<Irradiance> irradiance;
   std::vector<Fluence> fluence;
 
@@ -25,7 +26,7 @@ struct FlightTallies {
 };
 
 struct Tallies {
-  FlightTallies inside;   ///< of the world's medium
+  std::vector<FlightTallies> inside;  ///< of the world's medium, [column]
   FlightTallies outside;  ///< of the clear air that light comes from and goes to; else none
   std::optional<Boundaries> boundaries;
   std::optional<Radiance> radiance;

@@ -167,7 +167,8 @@ void add_straight(const medium::MediumView& sea, const geometry::Segment<T>& s, 
   using std::abs;
   const auto& [from, to] = std::tie(s.from, s.to);
   const Mask<T> same = from.layer == to.layer;
-  const T rise = select(same, T(1), abs(from.depth - to.depth));
+  const T fall = abs(from.depth - to.depth);
+  const T rise = select(same | (fall == T(0)), T(1), fall);
   const T per_depth = select(from.depth > to.depth, s.length, -s.length) / rise;
   ways.add(sea.excess_c(s.line, from.layer), select(same, s.length, per_depth * from.below_top));
   if (all(same)) return;
@@ -176,9 +177,9 @@ void add_straight(const medium::MediumView& sea, const geometry::Segment<T>& s, 
   ways.add(sea.excess_depth_tau(s.line, to.layer), -apart);
   ways.add(sea.excess_c(s.line, to.layer), -apart * to.below_top);
 }
-/// The same of any segment.
+/// The same of any segment in one column.
 template <class T>
-void add_segment(const medium::MediumView& sea, const geometry::Segment<T>& s, Terms<T>& ways) {
+void add_in_column(const medium::MediumView& sea, const geometry::Segment<T>& s, Terms<T>& ways) {
   if (s.course == geometry::Course::straight) return add_straight(sea, s, ways);
   const medium::Level<T> top{};
   if (s.course == geometry::Course::to_surface)
@@ -187,6 +188,16 @@ void add_segment(const medium::MediumView& sea, const geometry::Segment<T>& s, T
     add_straight(sea, {s.line, at, top, at.depth * s.slant.length / s.slant.depth}, ways);
   };
   up(s.from), up(s.to);
+}
+/// The same of any segment.
+template <class T>
+void add_segment(const medium::MediumView& sea, const geometry::Segment<T>& s, Terms<T>& ways) {
+  if (!sea.row.has_faces) [[likely]]
+    return add_in_column(sea, s, ways);
+  geometry::each_piece(sea, s, [&](const Mask<T>& on, geometry::Segment<T> piece) {
+    piece.length = select(on, piece.length, T(0));
+    add_in_column(sea, piece, ways);
+  });
 }
 
 /// A film that such a segment, in a direction, comes through or is reflected by.
@@ -235,14 +246,15 @@ struct Encounter {
 /// Adds the excess reflection of the bed, over that in the medium.
 template <class T>
 void add_reflection(const medium::MediumView& sea, const Encounter<T>& c, Terms<T>& collision) {
-  const T albedo = surface::bed_albedo(sea, c.line, c.cosine);
+  const T albedo = surface::bed_albedo(sea, c.line, c.layer, c.cosine);
   const Mask<T> reflects = surface::on_bed<T>(sea, c.layer) & (albedo > T(0));
   if (!any(reflects)) return;
   const auto [first, rest] = surface::bed_angle(sea, c.cosine);
   const T per_albedo = select(reflects, T(1), T(0)) / select(reflects, albedo, T(1));
-  collision.add(sea.excess_bed(c.line, first), (T(1) - rest) * per_albedo);
+  collision.add(sea.template excess_bed<T>(c.line, c.layer, first), (T(1) - rest) * per_albedo);
   if (sea.bed_angles > 1)
-    collision.add(sea.excess_bed(c.line, first + Index<T>(1)), rest * per_albedo);
+    collision.add(sea.template excess_bed<T>(c.line, c.layer, first + Index<T>(1)),
+                  rest * per_albedo);
 }
 
 /// Adds the excess of an encounter's coefficient there, over that in the medium.

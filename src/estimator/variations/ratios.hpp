@@ -26,9 +26,10 @@ struct Ratios {
   PHOTIC_APART PHOTIC_FLATTEN void flown(const medium::MediumView& sea, transport::Photon<T> after,
                                          T length, Mask<T> mask) {
     terms.clear();
-    add_segment(
-        sea, {before.line, geometry::level_of(sea, before), geometry::level_of(sea, after), length},
-        terms);
+    add_segment(sea,
+                {before.line, geometry::level_of(sea, before), geometry::level_of(sea, after),
+                 length, geometry::Ray<T>{before.position, before.direction}},
+                terms);
     pass(sea, mask);
   }
   /// Notes that photons of a mask were scattered or converted where they stand.

@@ -253,7 +253,7 @@ class Writer {
     const auto before = photon_;
     const double distance = length(place - before.position);
     photon_.position = place;
-    photon_.layer = transport::layer_at(world_.slabs, before.layer, -place.z);
+    photon_.layer = world_.slabs.layer_at(before.layer, -place.z);
     const auto from = geometry::level_of(world_.slabs, before);
     photon_.path += geometry::group_path(
         world_.slabs, geometry::Segment<double>{

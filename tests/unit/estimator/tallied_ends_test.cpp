@@ -70,7 +70,7 @@ TEST(TalliedEnds, WeighPathsByTheirMean) {
 
 /// Two constituents in three layers, by shares that differ; escape by angle; the rest.
 struct Ends {
-  explicit Ends(const transport::Sea& sea)
+  Ends()
       : boundaries({.absorbed = 0,
                     .constituents = 2,
                     .escaped = 6,
@@ -78,8 +78,7 @@ struct Ends {
                     .left_water = 10,
                     .bottom = 11,
                     .film = std::nullopt},
-                   ContinuousAbsorption(sea.view()), {0.9, 0.1, 0.4, 0.6, 1.0, 0.0},
-                   {0.2, 0.0, 0.5}, {0, 30, 60, 90}),
+                   {0.9, 0.1, 0.4, 0.6, 1.0, 0.0}, {0.2, 0.0, 0.5}, {0, 30, 60, 90}),
         scores(12) {}
   [[nodiscard]] std::vector<double> scored() const { return scored_in(scores); }
 
@@ -92,9 +91,9 @@ struct Ends {
 TEST(TalliedEnds, AbsorbByLayerAndConstituent) {
   const auto sea = transport::make_sea(bed_of_flights_m);
   const ContinuousAbsorption absorption(sea.view());
-  Ends ends(sea);
+  Ends ends;
   const Flight down = between_depths(sea, 1, 13);
-  ends.boundaries.fly(down, ends.scores);
+  ends.boundaries.fly(down, absorption, ends.scores);
   const auto scored = ends.scored();
   const double at_5 = absorption.weight_at(down, 5), at_12 = absorption.weight_at(down, 12),
                at_13 = absorption.weight_at(down, 13);
@@ -108,7 +107,7 @@ TEST(TalliedEnds, AbsorbByLayerAndConstituent) {
 
 // Collisions lose the share of the layer, and nothing where all is lost along flights.
 TEST(TalliedEnds, AbsorbAtCollisions) {
-  Ends ends(transport::make_sea(bed_of_flights_m));
+  Ends ends;
   for (const std::size_t layer : {0U, 1U, 2U}) ends.boundaries.collide(layer, 0.8, ends.scores);
   const auto scored = ends.scored();
   EXPECT_NEAR(scored[0] + scored[1], 0.8 * 0.2, 1e-12);
@@ -119,18 +118,17 @@ TEST(TalliedEnds, AbsorbAtCollisions) {
 // Where weights grow along flights nothing is booked there.
 TEST(TalliedEnds, AbsorbNothingAlongFlightsThatGrow) {
   const auto sea = sea_of_short_paths();
-  Ends ends(sea);
-  ends.boundaries.fly(between_depths(sea, 1, 13), ends.scores);
+  Ends ends;
+  ends.boundaries.fly(between_depths(sea, 1, 13), ContinuousAbsorption(sea.view()), ends.scores);
   for (const double cell : ends.scored()) EXPECT_EQ(cell, 0);
 }
 
 // Angles between edges, of which each belongs to the larger ones, and the horizon to the last. Seen
 // red: with edges that belong to the smaller ones.
 TEST(TalliedEnds, EscapeByAngle) {
-  const auto sea = transport::make_sea(bed_of_flights_m);
   for (const auto& [zenith_deg, cell] :
        {std::pair{0.0, 6U}, {29.0, 6U}, {30.0, 7U}, {59.0, 7U}, {60.0, 8U}, {90.0, 8U}}) {
-    Ends ends(sea);
+    Ends ends;
     ends.boundaries.escape(std::cos(zenith_deg * radian_per_degree), 0.5, false, ends.scores);
     ends.boundaries.escape(std::cos(zenith_deg * radian_per_degree), 0.25, true, ends.scores);
     const auto scored = ends.scored();
@@ -142,7 +140,7 @@ TEST(TalliedEnds, EscapeByAngle) {
 
 // A world without a film has no cell for it.
 TEST(TalliedEnds, BookOnlyWhatThereIs) {
-  Ends ends(transport::make_sea(bed_of_flights_m));
+  Ends ends;
   ends.boundaries.absorb_in_film(1, ends.scores);
   ends.boundaries.absorb_at_bottom(0.5, ends.scores);
   const auto scored = ends.scored();

@@ -28,6 +28,15 @@ std::vector<double> two_rows(Random& random, std::int32_t layers, double thinnes
   return edges;
 }
 
+/// Of rows that have so many layers each.
+Layering layering_of(const TwinTable& edges, std::int32_t layers) {
+  const auto row = static_cast<std::size_t>(layers) + 1;
+  std::vector<double> ends;
+  for (std::size_t end = row; end <= edges.numbers().size(); end += row)
+    ends.push_back(edges.numbers()[end - 1]);
+  return {edges.numbers(), layers, ends};
+}
+
 /// In the middle of layers, beside edges and on them, and beyond all.
 template <class T>
 void expect_layers(Random& random, const LayeringView& view, std::int32_t row) {
@@ -69,7 +78,7 @@ TEST(Layering, FindsEachOfManyLayers) {
   for (const double thinnest : {0.5, 1e-3, 1e-5}) {
     for (std::int32_t layers = 2; layers <= 140; ++layers) {
       const TwinTable edges(two_rows(random, layers, thinnest));
-      const Layering layering(edges.numbers(), layers);
+      const Layering layering = layering_of(edges, layers);
       const LayeringView view = layering.view(edges.view());
       for (const std::int32_t row : {0, 1}) {
         expect_layers<double>(random, view, row);
@@ -89,7 +98,7 @@ TEST(Layering, AllowsForRoundingAtTheEndsOfCells) {
     const double cell = random.scale(1e-3, 1);
     const auto beside = [&](int n) { return n * cell * (1 + random.between(-1e-7, 1e-7)); };
     const TwinTable edges(std::vector{0.0, 10.5 * cell, beside(11), 63 * cell, 64 * cell});
-    const Layering layering(edges.numbers(), 4);
+    const Layering layering = layering_of(edges, 4);
     const LayeringView view = layering.view(edges.view());
     ASSERT_EQ(view.cells, 64);
     expect_layers<float>(random, view, 0);
@@ -101,13 +110,13 @@ TEST(Layering, HasFewEdgesInACell) {
   for (const std::int32_t layers : {2, 50, 200}) {
     std::vector<double> edges;
     for (std::int32_t i = 0; i <= layers; ++i) edges.push_back(0.7 * i);
-    EXPECT_EQ(Layering(edges, layers).view({}).max_edges, 1) << layers;
+    EXPECT_EQ(layering_of(TwinTable(edges), layers).view({}).max_edges, 1) << layers;
   }
 }
 
 TEST(Layering, HasAnOnlyLayerWithoutEnd) {
   const TwinTable edges(std::vector{0.0, std::numeric_limits<double>::infinity()});
-  const Layering layering(edges.numbers(), 1);
+  const Layering layering = layering_of(edges, 1);
   EXPECT_EQ(layering.view(edges.view()).layer_of<double>(0, 0, 1e9), 0);
 }
 
@@ -115,7 +124,7 @@ TEST(Layering, HasAnOnlyLayerWithoutEnd) {
 // is in the upper one.
 TEST(Layering, ToleratesLayersOfNoDepth) {
   const TwinTable edges(std::vector{0.0, 0.0, 0.0, 1.0});
-  const Layering layering(edges.numbers(), 3);
+  const Layering layering = layering_of(edges, 3);
   const LayeringView view = layering.view(edges.view());
   EXPECT_EQ(view.layer_of<double>(0, 0, 0.5), 2);
   EXPECT_EQ(view.layer_of<double>(0, 0, 0.0), 0);

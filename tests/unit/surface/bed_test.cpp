@@ -75,10 +75,10 @@ TEST(SeaBed, KnowsItsAlbedoAtEveryAngle) {
   const auto view = sea.view();
   for (double cosine = 0; cosine <= 1; cosine += 1.0 / 64)
     for (const std::int32_t line : {0, 1, 2})
-      EXPECT_NEAR(surface::bed_albedo<double>(view, line, cosine),
+      EXPECT_NEAR(surface::bed_albedo<double>(view, line, 3, cosine),
                   (1 - 0.1 * line) * albedo_at(cosine), straight_lines);
   const Sea constant = make_sea(30, {0.1, 0.2, 0.3});
-  EXPECT_EQ(surface::bed_albedo<double>(constant.view(), 2, 0.4), 0.3);
+  EXPECT_EQ(surface::bed_albedo<double>(constant.view(), 2, 3, 0.4), 0.3);
 }
 
 // Seen red: with even directions for even sines squared.
