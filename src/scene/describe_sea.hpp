@@ -301,17 +301,17 @@ void describe(V& v, Sea& s) {
                   [&](auto& w) {
                     w.sections(expert("column"), s.column, Need::required,
                                "columns of water side by side along x, each with its own layers");
-                    w.optional(expert("y_min_m"), s.y_min_m, any_number,
-                               "the y in m where all columns begin; by default they have no end "
-                               "there");
-                    w.optional(expert("y_max_m"), s.y_max_m, any_number,
-                               "the y in m where all columns end; by default they have no end "
-                               "there");
                   }),
            option(false, [&](auto& w) {
              w.expanded("iop_table", IopTableKey{},
                         "a file of optical properties by depth and wavelength, instead of layers");
            }));
+  v.with("column", !s.column.empty(), [&](auto& w) {
+    w.optional(expert("y_min_m"), s.y_min_m, any_number,
+               "the y in m where all columns begin; by default they have no end there");
+    w.optional(expert("y_max_m"), s.y_max_m, any_number,
+               "the y in m where all columns end; by default they have no end there");
+  });
   v.expanded(expert("profile_tolerance"), profile_tolerance_rule,
              "how far constituents may depart from their mean in the layers that profiles are cut "
              "into, relative to their greatest value, temperatures to 20 C, salinities to "

@@ -115,7 +115,7 @@ class KeyPlaces {
 
 }  // namespace
 
-std::optional<std::string> place_of_key(const std::string& key, bool at_top) {
+std::optional<std::string> place_of_key(const std::string& key, const std::string& section) {
   // [source] of every scene has it: elsewhere it is meant for a band of a channel. [gates] have
   // depths of their own.
   if (key == "wavelength_nm" || key == "depth_m") return std::nullopt;
@@ -125,9 +125,13 @@ std::optional<std::string> place_of_key(const std::string& key, bool at_top) {
   std::vector<std::string> labels;
   for (const Placed& place : places.all()) {
     if (lower_case(place.key) != lower_case(key)) continue;
-    if (place.is_section && (!at_top || place.label.find('.') != std::string::npos))
+    if (place.is_section && (!section.empty() || place.label.find('.') != std::string::npos))
       return fmt::format("write {}", place.label);
     if (std::ranges::find(labels, place.label) == labels.end()) labels.push_back(place.label);
+  }
+  if (const auto parent = section.rfind('.'); parent != std::string::npos) {
+    const std::string around = fmt::format("[{}]", section.substr(0, parent));
+    if (std::ranges::find(labels, around) != labels.end()) labels = {around};
   }
   if (labels.empty() || labels.size() > 2) return std::nullopt;
   return fmt::format("it belongs in {}", joined(labels, "or"));

@@ -93,7 +93,7 @@ bool TableReader::is_tables(const std::string& key, const Node& node, const Tabl
 /// A suggestion of what to write in place of a key that is not known here.
 std::string TableReader::instead_of(const std::string& key) const {
   if (const auto same = same_word(key, known_)) return *same;
-  if (const auto place = place_of_key(key, name_.path.empty())) return *place;
+  if (const auto place = place_of_key(key, name_.header)) return *place;
   return suggestion_for(key, known_, "known here");
 }
 
@@ -148,10 +148,10 @@ void TableReader::refuse_without(const std::string& owner, const Names& keys) {
   for (const std::string& key : keys.all()) {
     const Node* node = look(key);
     if (node && shared_.findings.good({path_of(owner)}))
-      shared_.findings.add(
-          path_of(key), node->place,
-          fmt::format("'{}' belongs to [[{}]], of which there is none", key, owner),
-          fmt::format("add one, or leave '{}' out", key));
+      shared_.findings.add(path_of(key), node->place,
+                           fmt::format("'{}' belongs to [[{}]], of which there is none", key,
+                                       below(name_.header, owner)),
+                           fmt::format("add one, or leave '{}' out", key));
   }
 }
 

@@ -168,4 +168,4 @@ def test_defaults_agree(schema, guide, heading):
             else:
                 assert literal(value) == default, key
             counted += default is not None
-    assert counted > 0 or heading in {"`[bottom]`", "`[gates]`", "`[[environment]]`"}
+    assert counted > 0 or heading in {"`[bottom]`", "`[[sea.column]]`", "`[gates]`", "`[[environment]]`"}

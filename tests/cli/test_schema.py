@@ -65,6 +65,9 @@ GOOD = {
     "facets": ("[gates]", '[sea.surface]\nmodel = "cox-munk"\nwind_speed_m_s = 5\nfacets = "reciprocal"\n[gates]'),
     "a focus": ("detector_shift_m = 0.0", "focus_m = 12.0"),
     "no shift": ("detector_shift_m = 0.0", ""),
+    "columns": (
+        "[[sea.layer]]\nbottom_depth_m = 5.0\nchlorophyll_mg_m3 = 0.1\n[[sea.layer]]\n",
+        "[sea]\ny_min_m = -9\n[[sea.column]]\nx_max_m = 0\n[[sea.column.layer]]\n[[sea.column]]\n[[sea.column.layer]]\n"),
     "layers of air": (
         "[gates]",
         "[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 9\n"
@@ -86,6 +89,11 @@ FAULTY = {
     "two strengths": ("[source]", "[source]\nenergy_j = 0.1\nphotons_per_pulse = 1e15"),
     "unknown profile": ("[source]", '[source]\nprofile = "flat"'),
     "strength of another kind": ("[source]", "[source]\npower_w = 1"),
+    "columns beside layers": ("[gates]", "[[sea.column]]\n[[sea.column.layer]]\n[gates]"),
+    "a width of layers": ("[gates]", "[sea]\ny_min_m = -9\n[gates]"),
+    "a column without layers": (
+        "[[sea.layer]]\nbottom_depth_m = 5.0\nchlorophyll_mg_m3 = 0.1\n[[sea.layer]]\nchlorophyll_mg_m3 = 1.0\n",
+        "[[sea.column]]\nx_max_m = 0\n"),
     "levels of no tally": ("[gates]", "[[tally]]\ndepth_m = [1]\n[gates]"),
     "one level without a list": ("[gates]", '[[tally]]\nkind = "irradiance"\ndepth_m = 1\n[gates]'),
     "no level": ("[gates]", '[[tally]]\nkind = "irradiance"\n[gates]'),

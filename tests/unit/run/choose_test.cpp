@@ -75,6 +75,19 @@ TEST(Choose, ChangesNothingElse) {
   EXPECT_EQ(chosen, asked);
 }
 
+// Seen red: with columns left out of bidirectional_lacks.
+TEST(Choose, TakesTheForwardEstimatorOverColumns) {
+  scene::Scene asked = scene_of("auto");
+  asked.sea.column.emplace_back().layer = asked.sea.layer;
+  asked.sea.layer.clear();
+  const scene::Simulation chosen = choose_estimator(asked, {}).simulation;
+  EXPECT_EQ(chosen.estimator, scene::Estimator::forward);
+  EXPECT_EQ(chosen.estimator_reason,
+            "the bidirectional one cannot treat columns of water: five of its seven strategies "
+            "move a walk and need a sea that is alike everywhere, and what stays does not converge "
+            "on peaked water");
+}
+
 TEST(Choose, LeavesAChoiceThatIsMade) {
   EXPECT_EQ(choose_estimator(scene_of("forward"), {}), scene_of("forward"));
   scene::Scene asked = scene_of("bidirectional");

@@ -166,22 +166,25 @@ const std::vector<RowCase>& wrong_rows() {
         "beds is no slope (end all columns at the same depth, or none of them)"}},
       {"BesideLayers",
        {{19, 19, "[sea]\nlayer = [{}]"}},
-       {"scene.toml:23:1: 'layer' and 'column' exclude each other in [sea] (keep one of them)"}},
+       {"scene.toml:23:7: 'layer' and 'column' exclude each other in [sea] (keep one of them)"}},
       {"BesideATable",
        {{20, 20, "iop_table = 'water.csv'"}},
-       {"scene.toml:20:13: 'column' and 'iop_table' exclude each other in [sea] (keep one of "
+       {"scene.toml:20:1: 'column' and 'iop_table' exclude each other in [sea] (keep one of "
         "them)"}},
       {"Surface",
        {{30, 30, "surface = { model = 'flat' }"}},
-       {"scene.toml:30:1: a column has no surface of its own: waves are those of all columns "
-        "(write "
-        "sea.surface)"}},
+       {"scene.toml:30:1: unknown key 'surface' in [[sea.column]] (it belongs in [sea])"}},
       {"EndsWithoutColumns",
        {{22, 37, "[[sea.layer]]"}},
-       {"scene.toml:22:1: 'y_min_m' and 'layer' exclude each other in [sea] (keep one of them)"}},
+       {"scene.toml:20:11: 'y_min_m' belongs to [[sea.column]], of which there is none (add one, "
+        "or "
+        "leave 'y_min_m' out)",
+        "scene.toml:21:11: 'y_max_m' belongs to [[sea.column]], of which there is none (add one, "
+        "or "
+        "leave 'y_max_m' out)"}},
       {"NoLayers",
        {{25, 27, ""}},
-       {"scene.toml:41:1: [[sea.column.layer]] is missing (add it: its layers of water from the "
+       {"scene.toml:42:1: [[sea.column.layer]] is missing (add it: its layers of water from the "
         "surface down)"}},
       {"NameTwice",
        {{23, 23, "name = 'plume'"}},
@@ -225,8 +228,11 @@ const std::vector<RowCase>& wrong_rows() {
        {"scene.toml:38:1: [bottom] is the bed of all columns, and this is that of one (keep one of "
         "them)"}},
       {"BedOfBottomlessColumns",
-       {{26, 26, ""}, {35, 35, "[sea.column.bottom]\nalbedo = 0.1\n[[sea.column.layer]]"}},
-       {}},
+       {{26, 26, ""},
+        {35, 35, ""},
+        {37, 37, "phase_function = 'isotropic'\n[sea.column.bottom]\nalbedo = 0.1"}},
+       {"scene.toml:38:1: the sea has no bed: its last layer is bottomless (give the last "
+        "[[sea.column.layer]] its bottom_depth_m, or leave [sea.column.bottom] out)"}},
       {"OilWithoutLifetime",
        {{30, 30,
          "oil = { file = { wavelength_nm = [300, 900], n = [1, 1], a_per_m = [1, 1], "
@@ -252,7 +258,7 @@ TEST(Columns, EveryTextOfWhatIsWrongWithTheRow) {
 // and without the radiance's own check; with the water of all piles open at their ends.
 TEST(Columns, EveryTextOfWhatCannotDoWithThem) {
   const auto of = [](const std::string& override_text, const std::vector<Edit>& edits = {}) {
-    return diagnostics_of(row_text(edits), {override_text});
+    return diagnostics_of(row_text(edits), {override_text, "gates.depth_min_m=1"});
   };
   EXPECT_EQ(of("telescope.0.position_m=[40, 0, -1]"),
             (Texts{"--set telescope.0.position_m: the telescope is at x = 40 m, beside the row of "
@@ -344,7 +350,8 @@ TEST(Columns, AreWhatEnvironmentsChange) {
   EXPECT_EQ(in_environment("'sea.y_max_m' = 3"),
             (Texts{"scene.toml:44:9: 'y_max_m' must be as in the scene, 50, not 3" + columns}));
   EXPECT_EQ(in_environment("'sea.column.plume.name' = 'front'"),
-            (Texts{"scene.toml:44:9: 'name' must be as in the scene, \"plume\", not \"front\": all "
+            (Texts{"scene.toml:44:9: 'name' must be as in the scene, text \"plume\", not text "
+                   "\"front\": all "
                    "environments have the same columns (simulate that in a scene of its own)"}));
   EXPECT_EQ(in_environment("'sea.column.plume.layer.0.bottom_depth_m' = 6"),
             (Texts{"scene.toml:44:9: 'bottom_depth_m' must be as in the scene, 5, not 6: light "
@@ -376,7 +383,7 @@ TEST(Columns, SensitivitiesFollowTheirLayers) {
   EXPECT_EQ(
       diagnostics_of(derive("sea.column.1.layer.0.minerals_g_m3")),
       (Texts{"scene.toml:1:16: 'sea.column.1.layer.0.minerals_g_m3' is in a layer that its "
-             "profiles cut into 7: it has no single value for a derivative (compare "
+             "profiles cut into 6: it has no single value for a derivative (compare "
              "environments, or take the derivative in the scene that `photic show` writes)"}));
 }
 

@@ -316,7 +316,7 @@ TEST(Schema, ConstituentsMayBeProfilesAndLayersATable) {
   EXPECT_EQ(sea["allOf"][0]["oneOf"][0]["required"], json::array({"layer"}));
   EXPECT_EQ(sea["allOf"][0]["oneOf"][1]["required"], json::array({"column"}));
   EXPECT_EQ(sea["allOf"][0]["oneOf"][2]["required"], json::array({"iop_table"}));
-  EXPECT_EQ(sea["allOf"][0]["oneOf"][0]["properties"]["y_min_m"], false);
+  EXPECT_EQ(sea["allOf"][0]["oneOf"][0]["properties"]["column"], false);
 }
 
 TEST(Schema, EnvironmentsSetAnyPath) {

@@ -202,8 +202,8 @@ TEST(Sensitivity, IsReportedWithAllElse) {
                    "model, g)",
                    "scene.toml:7:14: 'diameter_m' must be a finite number, greater than 0, not -1",
                    "scene.toml:33:9: unknown key 'x' in [sea] (known here: salinity_psu, "
-                   "temperature_c, refractive_index, group_index, surface, layer, column, y_min_m, y_max_m, "
-                   "iop_table, "
+                   "temperature_c, refractive_index, group_index, surface, layer, column, iop_table, "
+                   "y_min_m, y_max_m, "
                    "profile_tolerance)"}));
   EXPECT_EQ(diagnostics_of(deriving("'sea.layer.0.chlorophyll_mg_m3', 5",
                                     edited({{22, 22, "chlorophyll_mg_m3 = -1"}}))),
