@@ -100,6 +100,11 @@ StraightEnd<T> each_straight_piece(const medium::MediumView& sea, const Segment<
 /// The same of any segment. Returns the light that leaves the row by a side.
 template <class T, class F>
 Mask<T> each_piece(const medium::MediumView& sea, const Segment<T>& s, F f) {
+  const Index<T> column = sea.row.template column<T>(s.from.layer);
+  if (all(s.length <= to_face(sea.row, s.ray, column).length)) {  // as most ways do
+    f(Mask<T>(true), s);
+    return Mask<T>(false);
+  }
   if (s.course == Course::straight) return each_straight_piece(sea, s, f).sideways;
   Segment<T> up = s;
   up.to = {};
