@@ -24,11 +24,13 @@ struct Row {
   [[nodiscard]] std::int32_t columns() const {
     return static_cast<std::int32_t>(first_layer.size());
   }
-  /// Returns whether straight light may come to a face.
-  [[nodiscard]] bool has_faces() const {
-    return columns() > 1 || std::isfinite(face_m.front()) || std::isfinite(face_m.back()) ||
+  /// Returns whether it ends somewhere, in x or y.
+  [[nodiscard]] bool ends() const {
+    return std::isfinite(face_m.front()) || std::isfinite(face_m.back()) ||
            std::isfinite(y_min_m) || std::isfinite(y_max_m);
   }
+  /// Returns whether straight light may come to a face.
+  [[nodiscard]] bool has_faces() const { return columns() > 1 || ends(); }
   /// The column of a place, which has both faces' sides if it stands on one: the one behind it.
   [[nodiscard]] std::size_t column_at(double x_m) const {
     const auto beyond = std::upper_bound(face_m.begin() + 1, face_m.end() - 1, x_m);

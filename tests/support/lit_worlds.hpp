@@ -58,6 +58,22 @@ inline std::string lamp_at(double z, double half_angle_deg) {
                                    z, half_angle_deg));
 }
 
+/// Columns side by side over a bed; `ends`: keys of the first column, and of [sea].
+inline std::string columns_and_beds(const std::string& surface = "", const std::string& x_min = "",
+                                    const std::string& ends = "") {
+  const auto layer = [](double bottom_m, double a_per_m, double b_per_m, double g) {
+    return fmt::format("[[sea.column.layer]]\nbottom_depth_m = {}\n", bottom_m) +
+           scattering(a_per_m, b_per_m, g);
+  };
+  return "[sea]\nrefractive_index = 1.34\n" + surface + ends + "[[sea.column]]\n" + x_min +
+         "x_max_m = 0.3\n" + layer(1, 0.2, 0.8, 0.7) + layer(2, 0.1, 1.2, 0) +
+         "[sea.column.bottom]\nalbedo = 0.4\n[[sea.column]]\nx_max_m = 1.2\n" +
+         layer(2, 0.5, 2.5, 0.5) + "[sea.column.bottom]\nalbedo = 0.1\n" +
+         (ends.empty() ? "[[sea.column]]\n" + layer(1.5, 0.05, 0.1, 0) + layer(2, 0.4, 0.1, 0)
+                       : "");
+}
+inline const std::string raft_ends = "y_min_m = -0.8\ny_max_m = 0.5\n";
+
 /// A laser's light that a film and the water convert, and telescopes count.
 inline std::string converted(const std::string& surface) {
   return "[source]\nwavelength_nm = 355.0\nposition_m = [0, 0, 2]\ndirection = [0.3, 0, -1]\n"
@@ -76,6 +92,9 @@ inline std::vector<LitWorld> lit_worlds() {
       "position_m = [0, 0, 5]\ndirection = [0.2, 0, -1]\ndiameter_m = 0.04\n"
       "half_divergence_mrad = 5";
   const std::string in_sea = everywhere_in_sea + rings_in_sea + strips_in_air;
+  const std::string in_columns =
+      everywhere_in_sea + strips_in_air +
+      tally_of("fluence", {{0, 0.4, 1.2, 2}}, "x_m = [-2, -0.3, 0.3, 0.8, 2]\nname = \"front\"");
   return {
       {"the sun over a flat sea",
        sun_at(50) + everywhere_in_sea + flat_radiance + two_layers_and_bed()},
@@ -107,6 +126,17 @@ inline std::vector<LitWorld> lit_worlds() {
       {"a point", light("point", point) + in_sea + two_layers_and_bed()},
       {"a disc", light("beam", disc) + in_sea + two_airs + two_layers_and_bed()},
       {"a laser", light("laser", laser) + in_sea + two_layers_and_bed()},
+      {"a lamp among columns", lamp_at(-0.7, 180) + in_columns + columns_and_beds()},
+      {"a lamp among columns under waves",
+       lamp_at(-0.7, 180) + in_columns + columns_and_beds(wavy)},
+      {"a lamp in a raft",
+       lamp_at(-0.7, 180) + in_columns + columns_and_beds("", "x_min_m = -0.4\n", raft_ends)},
+      {"a disc over the end of a raft",
+       light("beam", "position_m = [1.7, 0, 3]\nzenith_deg = 30\ndiameter_m = 0.5") + in_columns +
+           columns_and_beds("", "x_min_m = -0.1\n", raft_ends)},
+      {"a laser beside a face over waves",
+       light("laser", laser) + in_columns +
+           columns_and_beds(wavy_for_lasers, "x_min_m = -0.4\n", raft_ends)},
       {"the sun in air alone",
        sun_at(50) + tally_of("boundaries") + tally_of("irradiance", {{}, {0, 0.5, 1, 2}}) +
            tally_of("radiance", {{}, {0, 1, 2}}, "direction_deg = [[0, 0], [70, 120], [150, 90]]") +

@@ -115,11 +115,11 @@ class Grids {
         .in_balance = true;
     add_share("escaped", "light that goes away for good, by the zenith angle of its direction", "1",
               {{"escape_zenith",
-                tally.zenith_deg.size() - 1,
+                escape_edges(tally, medium_).size() - 1,
                 {{.name = "escape_zenith",
                   .units = "degree",
                   .long_name = "angle between the light's direction and straight up",
-                  .edges = tally.zenith_deg}}}})
+                  .edges = escape_edges(tally, medium_)}}}})
         .in_balance = true;
     if (has_sea()) {
       add_share("reflected_by_surface", "light that escaped and never was in the water", "1", {});
@@ -210,6 +210,13 @@ AbsorberNames absorber_names(const medium::Medium& medium, const std::optional<m
     if (std::ranges::find(out.constituent, name) == out.constituent.end())
       out.constituent.push_back(name);
   return out;
+}
+
+std::vector<double> escape_edges(const scene::Tally& tally, const medium::Medium& medium) {
+  constexpr double straight_down = 180;
+  std::vector<double> edges = tally.zenith_deg;
+  if (medium.row.ends()) edges.push_back(straight_down);
+  return edges;
 }
 
 std::string fluence_name(const scene::Tally& tally) {

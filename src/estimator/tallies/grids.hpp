@@ -37,6 +37,10 @@ std::vector<tally::TallyGrid> tally_grids(const scene::Scene& scene, const mediu
 std::optional<std::size_t> first_cell(const std::vector<tally::TallyGrid>& grids,
                                       const std::string& name);
 
+/// The edges of the angles of light that escapes, in degrees. By the sides of a row of columns it
+/// also goes down: in one more bin.
+std::vector<double> escape_edges(const scene::Tally& tally, const medium::Medium& medium);
+
 /// "fluence", or "fluence_NAME".
 std::string fluence_name(const scene::Tally& tally);
 

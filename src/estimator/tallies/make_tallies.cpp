@@ -131,7 +131,8 @@ class Maker {
             absorbers.share_of(k, i);
       }
     }
-    out_.boundaries.emplace(cells, std::move(share), std::move(lost), tally.zenith_deg);
+    out_.boundaries.emplace(cells, std::move(share), std::move(lost),
+                            escape_edges(tally, model_.medium));
   }
   /// The share of the weight that a collision in a layer takes: what is not absorbed along flights
   /// already. Where free paths are drawn more often than light collides, weights grow along them,
