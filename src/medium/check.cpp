@@ -20,8 +20,7 @@ namespace {
 
 using scene::below;
 
-/// A wavelength that light has: where the scene asks for it, and why, as stated there and
-/// elsewhere.
+/// A wavelength that light has: where the scene asks for it, and why, as stated there or elsewhere.
 struct Wavelength {
   double nm;
   std::string path, why_here, why_there;
@@ -37,6 +36,8 @@ class Checker {
         optics_of_(scene_, library) {
     drop_bad_channels();
     for (const auto& at : layers_) readable_.push_back(findings.good({below(at.path, "iop")}));
+    for (const auto& bed : scene::beds_of(scene_.sea, scene_.bottom))
+      beds_readable_ &= findings.good({bed.path});
     surface_readable_ = findings.good({"sea.surface"});
     if (scene_.oil && findings.good({"oil"}))
       if (const auto oil = ask(oil_path(), [&] { return oil_of(scene_, library_); })) oil_ = *oil;
@@ -89,7 +90,7 @@ class Checker {
   std::vector<scene::PlacedLayer> layers_;
   std::vector<std::string> channel_path_;
   std::vector<bool> readable_;  ///< the layers whose optics can be asked for
-  bool surface_readable_ = false;
+  bool beds_readable_ = true, surface_readable_ = false;
   /// The profile of the air up to its top, if there is one and nothing is wrong with it.
   std::optional<optics::AirProfile> air_profile_;
   std::optional<optics::Oil> oil_;  ///< if there is a film, and it is known
@@ -181,7 +182,7 @@ void Checker::check_index(Process process, const Wavelength& light) {
 void Checker::check_beds(const Wavelength& light) {
   for (const auto& [bed, path] : scene::beds_of(scene_.sea, scene_.bottom)) {
     const auto known = [&] { return !bed || albedo_of(*bed, light.nm, 0) >= 0; };
-    if (!findings_.good({path}) || !ask(path + ".albedo", known, light.why_there)) return;
+    if (!beds_readable_ || !ask(path + ".albedo", known, light.why_there)) return;
   }
   for (std::size_t i = 0; i < scene_.environment.size(); ++i) {
     const std::string set = below(below("environment", i), "set");

@@ -82,6 +82,7 @@ std::optional<double> angle_lit_by_one_alone(const std::optional<Bottom>& one,
 std::optional<double> angle_lit_there_alone(const Environment& there, const Scene& here,
                                             double wavelength_nm) {
   const auto beds_there = beds_of(there.sea, there.bottom), beds = beds_of(here.sea, here.bottom);
+  if (beds_there.size() != beds.size()) return std::nullopt;  // not read so far, or refused
   for (std::size_t k = 0; k < beds.size(); ++k)
     if (const auto angle =
             angle_lit_by_one_alone(beds_there[k].bottom, beds[k].bottom, wavelength_nm))

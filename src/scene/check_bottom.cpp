@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <variant>
 
 #include "core/error.hpp"
@@ -113,6 +114,11 @@ void check_bed(const Bottom& bottom, const std::string& path, const char* label,
 }
 
 }  // namespace
+
+bool has_bed(const Scene& scene) {
+  return std::ranges::any_of(beds_of(scene.sea, scene.bottom),
+                             [](const PlacedBed& at) { return at.bottom.has_value(); });
+}
 
 void check_bottom(const Scene& scene, Findings& findings) {
   const auto piles = piles_of(scene.sea);

@@ -107,7 +107,7 @@ void check_depth_gates(const Scene& scene, const Keys& keys, Findings& findings)
   }
   const auto bed = sea_bed_m(scene, findings);
   if (!bed) return;
-  if (scene.bottom) return remark_on_bed(depth, *bed, keys, findings);
+  if (has_bed(scene)) return remark_on_bed(depth, *bed, keys, findings);
   if (depth.min >= *bed)
     findings.add(keys.min,
                  fmt::format("all gates lie below the sea bed at {} m", plain_number(*bed)), "");

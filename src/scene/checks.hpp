@@ -31,6 +31,9 @@ void check_memory(const Scene& scene, Findings& findings);
 /// Depth of the sea bed, if there is one and nothing is wrong with it.
 std::optional<double> sea_bed_m(const Scene& scene, const Findings& findings);
 
+/// Returns whether there is a sea bed that may reflect light, below all columns or below one.
+bool has_bed(const Scene& scene);
+
 /// Top of the air above the sea, if there is air and nothing is wrong with it.
 std::optional<double> top_of_air_m(const Scene& scene, const Findings& findings);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/checks.hpp"
+
 namespace photic::scene {
 namespace {
 
@@ -73,7 +75,7 @@ TallyMemory tally_memory(const Scene& scene) {
   const double depths = number(scene.gates.depth_cells);
   const double orders = number(scene.simulation.orders_kept) + 1;  // and 0
   const double processes =
-      3.0 + (scene.bottom ? 1 : 0) + (scene.oil ? 1 : 0);  // elastic, raman, chlorophyll
+      3.0 + (has_bed(scene) ? 1 : 0) + (scene.oil ? 1 : 0);  // elastic, raman, chlorophyll
   const double waters = number(scene.environment.size() + scene.sensitivity.size());
   return {.depths = cells * depths * per_sum,
           .orders = cells * orders * per_part,

@@ -141,5 +141,25 @@ TEST(Columns, AreNamedInWhatTheOpticsRefuse) {
       << refusal(dark);
 }
 
+// Before environments are read they have no columns. Seen red: with the first bed's albedo for all.
+TEST(Columns, HaveBedsOfTheirOwn) {
+  const auto row = [](const std::string& albedo, const std::string& changes) {
+    return scene::row_text(
+               {{37, 37,
+                 "phase_function = 'isotropic'\n[sea.column.bottom]\nalbedo = " + albedo}}) +
+           "[[environment]]\nset = { " + changes + " }\n";
+  };
+  const std::string half = "'sea.column.plume.bottom.albedo' = 0.25";
+  EXPECT_EQ(scene::diagnostics_of(row("0.5", half), {}, check), Texts{});
+  const Medium medium = medium_of(scene::read_text(row("0.5", half)));
+  EXPECT_EQ(medium.bed_albedo, (std::vector<double>{0, 0.5}));
+  EXPECT_EQ(medium.environments.excess_bed, (std::vector<double>{0, -0.25}));
+  EXPECT_EQ(
+      scene::diagnostics_of(row("0", half), {}, check),
+      (Texts{"scene.toml:46:9: in environment \"environment0\": the sea bed reflects light of 532 "
+             "nm and a zenith angle of 0 degrees, but not in the scene itself (no history of "
+             "the scene goes that way: give its bed a little albedo, too)"}));
+}
+
 }  // namespace
 }  // namespace photic::medium

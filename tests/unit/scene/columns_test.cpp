@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "scene/compare.hpp"
-#include "scene/waves.hpp"
-#include "unit/scene/lit_scene.hpp"
 #include "unit/scene/row_scene.hpp"
 
 namespace photic::scene {
@@ -67,7 +65,7 @@ TEST(Columns, MayHaveNoEnds) {
   EXPECT_FALSE(one.sea.is_alike_everywhere());
 }
 
-// Seen red: with y_min_m left out; with [[sea.layer]] in place of [[sea.column.layer]].
+// Seen red: with columns left out of what is written.
 TEST(Columns, AreWrittenAsTheyAre) {
   const Scene scene = read_text(row_scene());
   const std::string text = write_scene(scene);
@@ -96,11 +94,11 @@ TEST(Columns, WriteTheirOilAndBed) {
   EXPECT_NE(text.find("oil = { class = \"light-refined\", thickness_um = 2.0"), std::string::npos)
       << text;
   EXPECT_NE(text.find("\n[sea.column.bottom]\nalbedo = 0.25\n"), std::string::npos) << text;
-  EXPECT_EQ(diagnostics_of(text).size(), 2U);  // both are not yet simulated, and nothing else
+  EXPECT_EQ(diagnostics_of(text).size(), 1U);  // the oil is not yet simulated
 }
 
 // The layers of a column are those of a sea, cut in the same way. Seen red: with a column's
-// profiles left as they are; with the cuts of the first column for the second.
+// profiles left as they are.
 TEST(Columns, HaveProfilesAsLayersHave) {
   const std::string ramp = "chlorophyll_mg_m3 = { depth_m = [0, 5, 20], value = [0.2, 1.0, 0.1] }";
   const Scene sea = read_text(edited({{22, 22, ramp}, {23, 25, ""}}));
@@ -213,10 +211,16 @@ const std::vector<RowCase>& wrong_rows() {
        {{30, 30, "oil = { class = 'light-refined', thickness_um = 1 }"}},
        {"scene.toml:30:7: a film of oil on one column is not yet simulated (leave it out, or give "
         "all columns the film: [oil])"}},
-      {"Bed",
-       {{37, 37, "phase_function = 'isotropic'\n[sea.column.bottom]\nalbedo = 0.1"}},
-       {"scene.toml:38:1: a sea bed of one column is not yet simulated (leave it out, or give all "
-        "columns the bed: [bottom])"}},
+      {"Bed", {{37, 37, "phase_function = 'isotropic'\n[sea.column.bottom]\nalbedo = 0.1"}}, {}},
+      {"AlbedoOfABed",
+       {{37, 37, "phase_function = 'isotropic'\n[sea.column.bottom]\nalbedo = 1.1"}},
+       {"scene.toml:39:10: 'albedo' must be a finite number, at least 0 and at most 1, not 1.1"}},
+      {"AnglesOfABed",
+       {{37, 37,
+         "phase_function = 'isotropic'\n[sea.column.bottom]\nalbedo = { zenith_deg = [0, 80], "
+         "albedo = [0, 0] }"}},
+       {"scene.toml:39:29: the angles end at 80 degrees, not at 90 (give the albedo from 0 to 90 "
+        "degrees)"}},
       {"OilOnAllAndOne",
        {{22, 22, "[oil]\nclass = 'light-refined'\nthickness_um = 1\n[[sea.column]]"},
         {30, 30, "oil = { class = 'light-refined', thickness_um = 1 }"}},
@@ -250,141 +254,6 @@ TEST(Columns, EveryTextOfWhatIsWrongWithTheRow) {
     SCOPED_TRACE(c.name);
     EXPECT_EQ(diagnostics_of(row_text(c.edits)), c.expected);
   }
-}
-
-// --- What cannot do with them --------------------------------------------------------------------
-
-// Seen red, each for itself: without check_instruments and check_simulation of check_columns.cpp,
-// and without the radiance's own check; with the water of all piles open at their ends.
-TEST(Columns, EveryTextOfWhatCannotDoWithThem) {
-  const auto of = [](const std::string& override_text, const std::vector<Edit>& edits = {}) {
-    return diagnostics_of(row_text(edits), {override_text, "gates.depth_min_m=1"});
-  };
-  EXPECT_EQ(of("telescope.0.position_m=[40, 0, -1]"),
-            (Texts{"--set telescope.0.position_m: the telescope is at x = 40 m, beside the row of "
-                   "columns (move it into a column, or move the end of the row)"}));
-  EXPECT_EQ(of("telescope.0.position_m=[39, 0, -1]"), Texts{});
-  EXPECT_EQ(of("telescope.0.position_m=[99, 99, 1]"), Texts{});  // in the air
-  EXPECT_EQ(of("source.position_m=[0, -60, -1]"),
-            (Texts{"--set source.position_m: the source is at y = -60 m, beside the row of columns "
-                   "(move it into a column, or move y_min_m or y_max_m)"}));
-  EXPECT_EQ(of("source.position_m=[0, -60, -1]", {{20, 20, ""}}), Texts{});
-  EXPECT_EQ(
-      of("simulation.estimator=bidirectional"),
-      (Texts{"--set simulation.estimator: the bidirectional estimator cannot treat columns "
-             "of water: five of its seven strategies move a walk and need a sea that is alike "
-             "everywhere, and what stays does not converge on peaked water (write estimator "
-             "= \"forward\", or take [[sea.layer]] in place of [[sea.column]])"}));
-  EXPECT_EQ(of("simulation.estimator=analog"), Texts{});
-  EXPECT_EQ(of("atmosphere={ profile = 'us-standard' }"),
-            (Texts{"--set atmosphere: air above columns of water is not yet simulated (leave "
-                   "[atmosphere] out, or take [[sea.layer]] in place of [[sea.column]])"}));
-}
-
-// Seen red: with a row of columns without ends taken for a sea that is alike everywhere.
-TEST(Columns, AreNotLitByABeamAsWideAsTheWorld) {
-  const auto lit = [](const std::string& tally, const std::string& water) {
-    return diagnostics_of(lit_scene(sun, tally, water));
-  };
-  const std::string layer = "[[sea.column.layer]]\nbottom_depth_m = 20\n";
-  const std::string one = "[[sea.column]]\n" + layer;
-  const std::string two = "[[sea.column]]\nx_max_m = 0\n" + layer + one;
-  const std::string beam =
-      "scene.toml:3:8: the light of a beam as wide as the world is followed from one place, which "
-      "stands for all places only where the sea is alike everywhere (give the beam a position_m, "
-      "or take one column without ends)";
-  const std::string radiance =
-      "[[tally]]\nkind = \"radiance\"\ndepth_m = [1]\n"
-      "direction_deg = [[0, 0]]";
-  EXPECT_EQ(lit(balance, one), Texts{});
-  EXPECT_EQ(lit(balance, two), Texts{beam});
-  EXPECT_EQ(lit(balance, "[sea]\ny_max_m = 3\n" + one), Texts{beam});
-  EXPECT_EQ(lit(radiance, one), Texts{});
-  EXPECT_EQ(lit(radiance, two),
-            (Texts{beam,
-                   "scene.toml:6:8: a radiance is that of a sea that is alike everywhere, and "
-                   "this one has columns (take kind = \"irradiance\", or one column without "
-                   "ends)"}));
-  EXPECT_EQ(diagnostics_of(lit_scene(lamp,
-                                     "[[tally]]\nkind = \"fluence\"\ndepth_m = [0, 1]\n"
-                                     "radius_m = [0, 1]",
-                                     two)),
-            Texts{});
-}
-
-// Seen red: with the layers of the first column alone.
-TEST(Columns, HaveSlabsThatFitIntoTheLayersOfAll) {
-  EXPECT_EQ(
-      diagnostics_of(row_text({{19, 19,
-                                "[[tally]]\nkind = 'irradiance'\ndepth_m = [2]\n"
-                                "slab_m = 6\n[sea]"}})),
-      (Texts{"scene.toml:22:10: a slab of 6 m about 2 m is thicker than its layer from 0 to 5 "
-             "m (write at most 5)"}));
-}
-
-// --- Their paths ---------------------------------------------------------------------------------
-
-Texts in_environment(const std::string& changes) {
-  return diagnostics_of(row_scene() + "[[environment]]\nset = { " + changes + " }\n");
-}
-
-// Seen red: with compare_columns left out of other_water.cpp.
-TEST(Columns, AreWhatEnvironmentsChange) {
-  const Scene scene =
-      read_text(row_scene() +
-                    "[[environment]]\nset = { 'sea.column.plume.layer.layer1.iop.0.a_per_m' = 0.1, "
-                    "'sea.column.0.layer.0.chlorophyll_mg_m3' = 0.2 }\n",
-                {"sea.column.1.layer.0.name=upper", "sea.column.1.layer.1.name=layer1",
-                 "sea.column.plume.layer.upper.minerals_g_m3=7"});
-  ASSERT_EQ(scene.environment.size(), 1U);
-  const Sea& there = scene.environment[0].sea;
-  EXPECT_EQ(scene.sea.column[1].layer[0].minerals_g_m3, 7);
-  EXPECT_EQ(there.column[1].layer[1].iop[0].a_per_m, 0.1);
-  EXPECT_EQ(there.column[0].layer[0].chlorophyll_mg_m3, 0.2);
-  EXPECT_TRUE(read_text(write_scene(scene)) == scene);
-  const std::string columns =
-      ": light crosses from column to column in the same way in all environments (simulate that in "
-      "a scene of its own)";
-  EXPECT_EQ(in_environment("'sea.column.0.x_max_m' = 3"),
-            (Texts{"scene.toml:44:9: 'x_max_m' must be as in the scene, 2, not 3" + columns}));
-  EXPECT_EQ(in_environment("'sea.y_max_m' = 3"),
-            (Texts{"scene.toml:44:9: 'y_max_m' must be as in the scene, 50, not 3" + columns}));
-  EXPECT_EQ(in_environment("'sea.column.plume.name' = 'front'"),
-            (Texts{"scene.toml:44:9: 'name' must be as in the scene, text \"plume\", not text "
-                   "\"front\": all "
-                   "environments have the same columns (simulate that in a scene of its own)"}));
-  EXPECT_EQ(in_environment("'sea.column.plume.layer.0.bottom_depth_m' = 6"),
-            (Texts{"scene.toml:44:9: 'bottom_depth_m' must be as in the scene, 5, not 6: light "
-                   "crosses from layer to layer in the same way in all environments (simulate that "
-                   "in a scene of its own)"}));
-  EXPECT_EQ(in_environment("'sea.column.plume.oil' = { class = 'light-refined', thickness_um = 1 }")
-                .size(),
-            1U);
-  EXPECT_EQ(in_environment("'sea.column.front.layer.0.minerals_g_m3' = 6"),
-            (Texts{"scene.toml:44:9: nothing in 'column' is called 'front' (its names and numbers: "
-                   "0, plume)"}));
-}
-
-// A profile cuts the layer above the parameter's. Seen red: with the paths of columns left as they
-// are; with the layers of the first column for those of a column called by its default name.
-TEST(Columns, SensitivitiesFollowTheirLayers) {
-  const std::string ramp = "minerals_g_m3 = { depth_m = [0, 5], value = [1, 2] }";
-  const auto derive = [&](const std::string& path) {
-    std::vector<Edit> edits{{33, 33, ramp}};
-    return "sensitivity = ['" + path + "']\n" + row_text(edits);
-  };
-  const Scene scene = read_text(derive("sea.column.plume.layer.1.iop.0.a_per_m"));
-  ASSERT_EQ(scene.sensitivity.size(), 1U);
-  EXPECT_EQ(scene.sensitivity[0].value, 0.06);
-  EXPECT_EQ(scene.sensitivity[0].path, "sea.column.1.layer." +
-                                           std::to_string(scene.sea.column[1].layer.size() - 1) +
-                                           ".iop.0.a_per_m");
-  EXPECT_EQ(read_text(derive("sea.column.0.layer.0.chlorophyll_mg_m3")).sensitivity[0].value, 0.1);
-  EXPECT_EQ(
-      diagnostics_of(derive("sea.column.1.layer.0.minerals_g_m3")),
-      (Texts{"scene.toml:1:16: 'sea.column.1.layer.0.minerals_g_m3' is in a layer that its "
-             "profiles cut into 6: it has no single value for a derivative (compare "
-             "environments, or take the derivative in the scene that `photic show` writes)"}));
 }
 
 }  // namespace

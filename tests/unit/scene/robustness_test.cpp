@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "unit/scene/base_scene.hpp"
 #include "unit/scene/lit_scene.hpp"
+#include "unit/scene/row_scene.hpp"
 
 namespace photic::scene {
 namespace {
@@ -155,6 +156,39 @@ TEST(Robustness, AnyValueForAnyKey) {
   const std::string surface = R"(surface = { model = "cox-munk", wind_speed_m_s = 5 })";
   const std::string base = edited({{19, 19, "[sea]\n" + surface}}) + environment;
   for (const std::string& path : paths) {
+    for (const std::string& value : any_values()) {
+      outcome_of(base, {path + "=" + value});
+      outcome_of(base, {"environment.0.set." + path + "=" + value});
+    }
+  }
+}
+
+TEST(Robustness, AnyValueForAnyKeyOfColumns) {
+  const std::string base =
+      row_text({{33, 33, "minerals_g_m3 = { depth_m = [0, 5], value = [1, 2] }"}}) +
+      "[[environment]]\nset = { 'sea.column.0.layer.0.chlorophyll_mg_m3' = 0.2 }\n";
+  for (const std::string path : {"sea.layer",
+                                 "sea.iop_table",
+                                 "sea.column",
+                                 "sea.column.0",
+                                 "sea.column.1",
+                                 "sea.column.plume.name",
+                                 "sea.column.0.x_min_m",
+                                 "sea.column.0.x_max_m",
+                                 "sea.column.1.x_min_m",
+                                 "sea.column.1.oil",
+                                 "sea.column.1.bottom",
+                                 "sea.column.1.bottom.albedo",
+                                 "sea.column.1.layer",
+                                 "sea.column.1.layer.0",
+                                 "sea.column.1.layer.0.bottom_depth_m",
+                                 "sea.column.1.layer.0.minerals_g_m3",
+                                 "sea.column.1.layer.1.iop",
+                                 "sea.y_min_m",
+                                 "sea.y_max_m",
+                                 "bottom",
+                                 "oil",
+                                 "sensitivity"}) {
     for (const std::string& value : any_values()) {
       outcome_of(base, {path + "=" + value});
       outcome_of(base, {"environment.0.set." + path + "=" + value});
