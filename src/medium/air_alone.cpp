@@ -1,12 +1,25 @@
 #include "medium/air_alone.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "medium/air.hpp"
 #include "medium/bed.hpp"
 #include "medium/upside_down.hpp"
 
 namespace photic::medium {
+namespace {
+
+Shells shells_of(const scene::Scene& scene, const Air& air) {
+  const scene::Atmosphere& asked = *scene.atmosphere;
+  Shells shells(asked.planet_radius_m(), air.height_m,
+                asked.refraction ? air.refractive_index : std::vector<double>{});
+  shells.source_outside =
+      scene.source.is_everywhere || scene.height_of(scene.source.position_m) >= air.height_m.back();
+  return shells;
+}
+
+}  // namespace
 
 Medium build_air_alone(const scene::Scene& scene) {
   Medium medium;
@@ -32,6 +45,7 @@ Medium build_air_alone(const scene::Scene& scene) {
   scene::Scene over_ground = scene;
   over_ground.bottom = scene::Bottom{scene.atmosphere->surface->albedo};
   add_bed(over_ground, medium);
+  if (scene.atmosphere->is_spherical()) medium.shells = shells_of(scene, air);
   medium.finish();
   return medium;
 }

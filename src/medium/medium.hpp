@@ -17,6 +17,7 @@
 #include "medium/absorbers.hpp"
 #include "medium/air_delay.hpp"
 #include "medium/layering.hpp"
+#include "medium/shells.hpp"
 #include "medium/sources.hpp"
 #include "medium/surface_traits.hpp"
 #include "medium/waves.hpp"
@@ -121,6 +122,7 @@ struct MediumView {
   WavesView waves;
   FilmView film;
   EnvironmentsView environments;
+  ShellsView shells;  ///< of spherical air; else none
 
   /// True if the encounters of walks at the surface, or on their way there from the instrument,
   /// count in environments.
@@ -325,8 +327,9 @@ class Medium {
   /// Optical depths of the air as high up as its light counts (upside_down()).
   double scattering_to_instruments = 0, depth_to_instruments = 0;
   EnvironmentTables environments;
-  std::vector<Source> sources;  ///< of all that it is made of
-  Absorbers absorbers;          ///< of the source's light
+  std::optional<Shells> shells;  ///< of spherical air
+  std::vector<Source> sources;   ///< of all that it is made of
+  Absorbers absorbers;           ///< of the source's light
 
   /// Adds a phase function, or finds the equal one that is there already; returns its number.
   std::int32_t add_phase(const optics::PhaseTable& table);

@@ -48,6 +48,15 @@ constexpr auto alternatives(SourceProfile) {
         "cut off at three times these"}});
 }
 
+/// The shape of the air's layers.
+enum class AirGeometry : std::int8_t { plane, spherical };
+constexpr auto alternatives(AirGeometry) {
+  using enum AirGeometry;
+  return std::to_array<Alternative<AirGeometry>>(
+      {{plane, "plane", "level layers"},
+       {spherical, "spherical", "shells about the centre of a planet, above a ground"}});
+}
+
 /// The quantities of radiative transfer that are tallied beside echoes.
 enum class TallyKind : std::int8_t { irradiance, boundaries, fluence, radiance };
 constexpr auto alternatives(TallyKind) {

@@ -106,8 +106,13 @@ template <class V>
 void describe(V& v, Atmosphere& a) {
   v.optional(
       expert("refraction"), a.refraction, YesOrNo{},
-      "whether the air bends the axes of instruments by Snell's law; the indices of the water "
-      "are then relative to the air at the sea");
+      "whether the air bends light by Snell's law: the axes of instruments, the indices of the "
+      "water then being relative to the air at the sea; in spherical air all light");
+  v.optional(expert("geometry"), a.geometry, ChoiceOf<AirGeometry>{}, "the shape of the air");
+  v.when("geometry", a.geometry, AirGeometry::spherical, [&](auto& w) {
+    w.optional(expert("planet_radius_km"), a.planet_radius_km, positive,
+               "the radius of the planet in km; its centre is straight below the origin");
+  });
   v.one_of(option(a.layer.empty(), [&](auto& w) { describe_profile(w, a); }),
            option(!a.layer.empty(), [&](auto& w) {
              w.sections(expert("layer"), a.layer, Need::required,

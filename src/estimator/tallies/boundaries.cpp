@@ -28,11 +28,16 @@ void Boundaries::absorb(std::size_t layer, double weight, tally::TallyScores& sc
 void Boundaries::fly(const Flight& flight, tally::TallyScores& scores) const {
   double weight = flight.weight;
   each_layer(absorption_, flight, [&](std::size_t layer, double length, double) {
-    const double depth = absorption_.per_m(layer) * length;
-    const double lost = weight * depth * decay_over(depth).mean;
-    absorb(layer, lost, scores);  // if weights grow, by collisions instead
-    weight -= lost;
+    weight -= lose(layer, length, weight, scores);
   });
+}
+
+double Boundaries::lose(std::size_t layer, double length, double weight,
+                        tally::TallyScores& scores) const {
+  const double depth = absorption_.per_m(layer) * length;
+  const double lost = weight * depth * decay_over(depth).mean;
+  absorb(layer, lost, scores);  // if weights grow, by collisions instead
+  return lost;
 }
 
 void Boundaries::escape(double cosine, double weight, bool was_in_water,

@@ -29,6 +29,9 @@ class Boundaries {
 
   /// Books the absorption along a flight.
   void fly(const Flight& flight, tally::TallyScores& scores) const;
+  /// Books that along a piece within a layer, of light of a weight at its start; returns what that
+  /// loses.
+  double lose(std::size_t layer, double length, double weight, tally::TallyScores& scores) const;
   /// Books that of a collision; `weight`: before it loses any there.
   void collide(std::size_t layer, double weight, tally::TallyScores& scores) const {
     if (lost_[layer] > 0) absorb(layer, weight * lost_[layer], scores);
