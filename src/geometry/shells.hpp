@@ -166,11 +166,16 @@ inline Vec3<double> from_local_frame(const Vec3<double>& up, const Vec3<double>&
   return normalised(local.x * frame.x + local.y * frame.y + local.z * frame.z);
 }
 
-/// The ray of light in a shell. Places on its spheres are on them, whatever was rounded off.
+/// The ray of light in a shell. Places on its spheres, but for what is rounded off, are on them.
 inline ShellRay ray_in(const ShellsView& shells, const PlaceInShells& at,
                        const Vec3<double>& direction, std::int32_t shell) {
+  constexpr double rounding = 1e-13;  // of the radius
   const auto above = static_cast<std::size_t>(shell);
-  const double height = std::clamp(at.height, shells.height[above + 1], shells.height[above]);
+  const double lower = shells.height[above + 1], upper = shells.height[above];
+  const double nearly = rounding * shells.planet_m;
+  const double height = at.height < lower + nearly   ? lower
+                        : at.height > upper - nearly ? upper
+                                                     : at.height;
   return {height, shells.planet_m + height, dot(at.from_centre, direction), shell};
 }
 

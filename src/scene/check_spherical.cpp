@@ -37,6 +37,16 @@ void check_ground(const Scene& scene, Findings& findings) {
                "[oil] out, or take geometry = \"plane\"");
 }
 
+/// Below plane air a level sea is one of water.
+void refuse_sea_below_planes(const Scene& scene, Findings& findings) {
+  if (!scene.is_of_air_alone() || scene.atmosphere->surface->kind != GroundKind::sea) return;
+  if (scene.is_of_spherical_air() || !findings.good({"atmosphere.surface", "atmosphere.geometry"}))
+    return;
+  findings.add("atmosphere.surface",
+               "a sea that is black below its surface is one of spherical air",
+               "write geometry = \"spherical\", or a [[sea.layer]] in place of it");
+}
+
 void check_telescopes(const Scene& scene, Findings& findings) {
   if (scene.telescope.empty() || !findings.good({"telescope"})) return;
   findings.add("telescope.0",
@@ -92,6 +102,7 @@ void check_spherical(const Scene& scene, Findings& findings) {
     if (kind == TallyKind::radiance || kind == TallyKind::fluence)
       refuse_plane_tally(scene, i, findings);
   }
+  refuse_sea_below_planes(scene, findings);
   if (!scene.is_of_spherical_air()) return;
   check_planet(scene, findings);
   check_ground(scene, findings);

@@ -57,6 +57,15 @@ constexpr auto alternatives(AirGeometry) {
        {spherical, "spherical", "shells about the centre of a planet, above a ground"}});
 }
 
+/// The ground below air alone.
+enum class GroundKind : std::int8_t { lambert, sea };
+constexpr auto alternatives(GroundKind) {
+  using enum GroundKind;
+  return std::to_array<Alternative<GroundKind>>(
+      {{lambert, "lambert", "light is reflected evenly, by an albedo"},
+       {sea, "sea", "below spherical air a level sea: a mirror by Fresnel's law, black below"}});
+}
+
 /// The quantities of radiative transfer that are tallied beside echoes.
 enum class TallyKind : std::int8_t { irradiance, boundaries, fluence, radiance };
 constexpr auto alternatives(TallyKind) {

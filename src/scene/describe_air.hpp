@@ -96,10 +96,15 @@ void describe_profile(V& v, Atmosphere& a) {
 
 template <class V>
 void describe(V& v, Ground& g) {
-  v.required("albedo", g.albedo,
-             albedo_rule("zenith angles of the incident light, in degrees, ascending from 0 to 90"),
-             "the share of the light that the ground reflects, as a Lambert reflector: "
-             "a number, a table of wavelength_nm, zenith_deg or both, or { file = \"…\" }");
+  v.optional(expert("kind"), g.kind, ChoiceOf<GroundKind>{}, "how the ground reflects light");
+  v.by_choice("kind", g.kind, for_choice(GroundKind::lambert, [&](auto& w) {
+                w.required("albedo", g.albedo,
+                           albedo_rule("zenith angles of the incident light, in degrees, ascending "
+                                       "from 0 to 90"),
+                           "the share of the light that the ground reflects, as a Lambert "
+                           "reflector: a number, a table of wavelength_nm, zenith_deg or both, or "
+                           "{ file = \"…\" }");
+              }));
 }
 
 template <class V>
@@ -118,7 +123,9 @@ void describe(V& v, Atmosphere& a) {
              w.sections(expert("layer"), a.layer, Need::required,
                         "the layers of air from the sea up");
            }));
-  v.table("surface", a.surface, "the ground below air alone, in place of the sea");
+  v.table_or_word(
+      "surface", a.surface, "kind",
+      "the ground below air alone, in place of [sea]; below spherical air also \"sea\"");
 }
 
 }  // namespace photic::scene

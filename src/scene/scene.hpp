@@ -189,9 +189,10 @@ struct AirGases {
   friend bool operator==(const AirGases&, const AirGases&) = default;
 };
 
-/// The ground below air alone, a Lambert reflector.
+/// The ground below air alone.
 struct Ground {
-  std::variant<double, UserTable> albedo = 0.0;  ///< as Bottom::albedo
+  GroundKind kind = GroundKind::lambert;
+  std::variant<double, UserTable> albedo = 0.0;  ///< lambert; as Bottom::albedo
   friend bool operator==(const Ground&, const Ground&) = default;
 };
 
