@@ -100,10 +100,12 @@ REFUSED = {
         "in plane air bent light is known along the axes of lasers and telescopes alone",
         'write geometry = "spherical"'),
     "a telescope": (
-        scene_of(LASER, TELESCOPE), "[[telescope]]", "echoes are known in plane air alone", "take a geometry"),
+        scene_of(LASER, TELESCOPE), "[[telescope]]", "echoes are known in plane air alone", "take geometry = \"plane\""),
     "importances": (
         scene_of(rest="[simulation.tools]\nimportance = [{ depth_m = 1, value = 2 }]\n"), "importance = ",
         "importances are of depths", "leave them out"),
+    "a black sea below plane air": (
+        scene_of(air='surface = "sea"\n'), 'surface = "sea"', "a sea that is black below its surface", "spherical"),
     "a sea beside the ground": (
         scene_of(rest='[sea]\nsurface = { model = "flat" }\n'), "[sea]", "a ground takes the place of the sea", ""),
 }
@@ -159,12 +161,25 @@ def test_zones_are_a_dimension_of_files(photic, tmp_path):
         assert down.dimensions == ("level", "zone")
         assert np.array_equal(file["zone_bounds"][:], [[0, 60], [60, 90], [90, 180]])
         assert file["zone"].units == "degree"
-        # All light, but for what the air scatters, on the side that the source is on.
-        assert down[1, 0] > 0.7
+        # In a vacuum 0.75, the mean cosine.
+        assert 0.6 < down[1, 0] < 0.75
         assert down.strength_units == "W m-2"
-        assert (file["escaped"].strength_units, file["balance"][:]) == ("W", pytest.approx(1))
+        assert (file["escaped"].strength_units, file["balance"][:]) == ("W", pytest.approx(1, abs=1e-2))
         # 2 W/m2 on the disc of the planet and its air.
         assert file["escaped"].strength_scale == pytest.approx(2 * np.pi * 6431e3**2)
+
+
+# What show prints is a scene again. Seen red: without the ground's kind.
+@pytest.mark.parametrize("ground", ['"sea"', "{ albedo = 0.3 }", '{ kind = "sea" }'])
+def test_what_show_prints_is_the_scene(photic, tmp_path, ground):
+    air = SPHERICAL.replace("{ albedo = 0.1 }", ground) + "planet_radius_km = 7000\nrefraction = true\n"
+    (tmp_path / "air.toml").write_text(scene_of(SUN, ZONES, air))
+    shown = photic("show", "air.toml")
+    assert (shown.returncode, shown.stderr) == (0, "")
+    assert "shells about a planet with a radius of 7000 km" in shown.stdout
+    (tmp_path / "again.toml").write_text(shown.stdout)
+    assert photic("show", "again.toml").stdout == shown.stdout
+    assert ('"sea"' in shown.stdout) == ("sea" in ground)
 
 
 # Air that absorbs nothing has no constituents. Seen red: with a dimension of length 0.
@@ -174,4 +189,4 @@ def test_air_without_absorption_has_a_file(photic, tmp_path):
     assert done.returncode == 0, done.stderr
     with netCDF4.Dataset(tmp_path / "air.nc") as file:
         assert "absorbed" not in file.variables
-        assert file["balance"][:] == pytest.approx(1, abs=1e-3)
+        assert file["balance"][:] == pytest.approx(1, abs=1e-2)
