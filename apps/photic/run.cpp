@@ -112,7 +112,10 @@ run::RunOptions options_of(const RunCommand& command, std::optional<Isa> lanes,
   return options;
 }
 
-std::optional<Isa> lanes_asked(const RunCommand& command) {
+/// None: the scalar engine, which alone follows light in spherical air.
+std::optional<Isa> lanes_asked(const RunCommand& command, const scene::Scene& scene) {
+  if (command.engine.empty() && command.isa.empty() && scene.is_of_spherical_air())
+    return std::nullopt;
   if (command.engine != "scalar") return isa_of(command.isa).value_or(isas_here().back());
   if (command.isa.empty()) return std::nullopt;
   throw InputError({{.file = "--isa " + command.isa,
@@ -121,7 +124,8 @@ std::optional<Isa> lanes_asked(const RunCommand& command) {
 }
 
 /// The engine of a run that goes on from one that ran in `before`: bits depend on it.
-std::optional<Isa> lanes_going_on(const RunCommand& command, const std::optional<Isa>& before) {
+std::optional<Isa> lanes_going_on(const RunCommand& command, const scene::Scene& scene,
+                                  const std::optional<Isa>& before) {
   if (before && !runs_here(*before)) {
     throw InputError({{.file = command.earlier,
                        .reason = fmt::format("ran in the engine {}, which does not run here",
@@ -131,7 +135,7 @@ std::optional<Isa> lanes_going_on(const RunCommand& command, const std::optional
                                          : "continue where the processor has it, or run anew"}});
   }
   if (command.engine.empty() && command.isa.empty()) return before;
-  const auto now = lanes_asked(command);
+  const auto now = lanes_asked(command, scene);
   if (now == before) return now;
   throw InputError(
       {{.file = command.earlier,
@@ -150,7 +154,7 @@ Plan plan(const RunCommand& command) {
   spare(reading.files, plan.path);
   plan.history = io::history_line(command.call.line);
   io::check_writable(plan.path);  // now, not after hours of work
-  plan.lanes = lanes_asked(command);
+  plan.lanes = lanes_asked(command, plan.origin.scene);
   if (command.earlier.empty()) return plan;
   Earlier earlier = take_up(command.earlier, plan.origin.scene);
   if (command.scene.empty() && !earlier.scene_file.empty())
@@ -158,7 +162,7 @@ Plan plan(const RunCommand& command) {
         plan.path,
         (std::filesystem::path(command.earlier).parent_path() / earlier.scene_file).string());
   plan.history = earlier.history + '\n' + plan.history;
-  plan.lanes = lanes_going_on(command, earlier.lanes);
+  plan.lanes = lanes_going_on(command, plan.origin.scene, earlier.lanes);
   plan.start = std::move(earlier.start);
   plan.photons = earlier.photons;
   if (plan.photons == plan.origin.scene.simulation.photons)

@@ -10,6 +10,7 @@
 #include "estimator/focus.hpp"
 #include "estimator/model.hpp"
 #include "estimator/nested_views.hpp"
+#include "estimator/spherical_air.hpp"
 #include "io/netcdf.hpp"
 #include "io/netcdf_variable.hpp"
 #include "io/table_parts.hpp"
@@ -43,9 +44,10 @@ std::string comments(const std::string& head, const std::vector<std::string>& it
   return out;
 }
 
-/// The light of the sun on a level area.
-std::vector<std::string> reported_light(const scene::Source& source) {
-  if (!source.irradiance_w_m2) return {};
+/// The light of the sun on a level area; of a planet no area is level for all.
+std::vector<std::string> reported_light(const scene::Scene& scene) {
+  const scene::Source& source = scene.source;
+  if (!source.irradiance_w_m2 || scene.is_of_spherical_air()) return {};
   return {fmt::format("{:.6g} W/m2 across the beam, {:.6g} W/m2 on the horizontal",
                       *source.irradiance_w_m2,
                       *source.irradiance_w_m2 * std::abs(normalised(source.direction).z))};
@@ -57,7 +59,10 @@ std::string notes_on(const estimator::Model& model) {
   const tally::Result result = estimator::describe(model);
   const auto of_air = model.air ? medium::reported_air(estimator::reported_scene(model), *model.air)
                                 : std::vector<std::string>{};
-  return comments("The irradiance of the source", reported_light(model.as_given.source)) +
+  return comments("The irradiance of the source",
+                  reported_light(estimator::reported_scene(model))) +
+         comments("The spherical air",
+                  estimator::reported_spherical_air(estimator::reported_scene(model))) +
          comments(
              "The share of each open lens whose rays reach the detector, from points on its axis",
              estimator::reported_focus(model)) +

@@ -11,6 +11,7 @@
 #include "estimator/model.hpp"
 #include "estimator/nested_views.hpp"
 #include "estimator/origin.hpp"
+#include "geometry/shells.hpp"
 
 namespace photic::estimator {
 
@@ -78,11 +79,28 @@ void add_groups(const scene::Scene& scene, Instruments<T>& out) {
   }
 }
 
+/// Adds the source in spherical air. Its light sets out where it stands, also outside, and comes to
+/// the air by its first flight.
+template <class T>
+void add_source_in_shells(const scene::Source& source, const medium::ShellsView& shells,
+                          Instruments<T>& out) {
+  out.laser = instrument::make_laser<T>(source, geometry::Ahead{});
+  const double height = geometry::place_in(shells, source.position_m).height;
+  std::int32_t shell = 0;
+  while (!shells.source_outside && height < shells.height[static_cast<std::size_t>(shell) + 1])
+    ++shell;
+  out.laser_region = {false, Index<T>(shell), {}};
+}
+
 /// Deadlines are the caller's: they follow from the walks' cones, too.
 template <class T>
 Instruments<T> make_instruments(const Model& model, const geometry::Slabs& slabs) {
   Instruments<T> out;
   const scene::Source& source = model.scene.source;
+  if (slabs.shells.exist()) {
+    add_source_in_shells(source, slabs.shells, out);
+    return out;
+  }
   const Vec3<double> origin = origin_of(source, model.medium.kind);
   const geometry::Ahead of_laser = ahead_in(model.medium, source);
   out.laser = instrument::make_laser<T>(from_origin(source, origin), of_laser);

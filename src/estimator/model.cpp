@@ -170,7 +170,7 @@ scene::Check optics_check() {
     check_walk_attenuation(scene, medium::check_medium(scene, *library, findings), findings);
     medium::check_environments(scene, *library, findings);
     check_focus(scene, findings);
-    check_round_earth(scene, findings);
+    if (!scene.is_of_spherical_air()) check_round_earth(scene, findings);
     if (is_the_scene) check_unused_settings(scene, *library, findings);
   };
 }
@@ -223,6 +223,13 @@ double above_all(const scene::Scene& scene, const std::optional<medium::Air>& ai
   return highest + ample_m;
 }
 
+/// Has a beam without a place light all of a planet and its air: it passes a disc about the centre.
+void light_planet(const medium::ShellsView& shells, scene::Source& source) {
+  const double radius = shells.planet_m + shells.top_m();
+  source.position_m = {0, 0, -radius};
+  source.diameter_m = 2 * radius;
+}
+
 /// The optical depths of the levels of a radiance in the source's light, from the surface.
 std::vector<double> radiance_depths(const Model& model) {
   std::vector<double> out;
@@ -252,7 +259,10 @@ Model make_model(const scene::Scene& scene) {
   auto air = air_alone ? std::nullopt : medium::build_air(scene, medium.line);
   scene::Scene effective = scene;
   if (air_alone) effective.source.position_m.z -= medium.top.back();
-  if (scene.source.is_everywhere) effective.source.position_m.z = above_all(scene, air);
+  if (scene.source.is_everywhere && scene.is_of_spherical_air())
+    light_planet(medium.view().shells, effective.source);
+  else if (scene.source.is_everywhere)
+    effective.source.position_m.z = above_all(scene, air);
   auto columns = air ? columns_to(*air, heights_of(effective)) : std::vector<ColumnTables>{};
   auto others = air && scene.has_environments() ? medium::other_airs(scene, medium.line)
                                                 : std::vector<medium::OtherAir>{};

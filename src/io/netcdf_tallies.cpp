@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -108,8 +110,12 @@ void add_tallies(NetcdfImage& file, const tally::Result& result) {
     file.add_global("source_strength", *result.source_strength);
     file.add_global("source_strength_units", result.source_strength_units);
   }
-  add_dimensions(file, result.tallies);
-  for (const tally::TallyEstimates& tally : result.tallies) add_tally(file, tally);
+  std::vector<tally::TallyEstimates>
+      written;  // in air that absorbs nothing there is no constituent
+  std::ranges::copy_if(result.tallies, std::back_inserter(written),
+                       [](const tally::TallyEstimates& t) { return t.grid.size() > 0; });
+  add_dimensions(file, written);
+  for (const tally::TallyEstimates& tally : written) add_tally(file, tally);
 }
 
 }  // namespace photic::io

@@ -1,12 +1,43 @@
 #include "medium/air_alone.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "medium/air.hpp"
 #include "medium/bed.hpp"
+#include "medium/lines.hpp"
 #include "medium/upside_down.hpp"
+#include "optics/fresnel.hpp"
 
 namespace photic::medium {
+namespace {
+
+Shells shells_of(const scene::Scene& scene, const Air& air) {
+  const scene::Atmosphere& asked = *scene.atmosphere;
+  Shells shells(asked.planet_radius_m(), air.height_m,
+                asked.refraction ? air.refractive_index : std::vector<double>{});
+  shells.source_outside =
+      scene.source.is_everywhere || scene.height_of(scene.source.position_m) >= air.height_m.back();
+  shells.mirrors = asked.surface->kind == scene::GroundKind::sea;
+  return shells;
+}
+
+/// A level sea reflects by the angle as a bed does whose albedo is Fresnel's reflectance.
+void add_ground(const scene::Scene& scene, Medium& medium) {
+  const scene::Ground& ground = *scene.atmosphere->surface;
+  if (ground.kind == scene::GroundKind::lambert) {
+    scene::Scene over_ground = scene;
+    over_ground.bottom = scene::Bottom{ground.albedo};
+    return add_bed(over_ground, medium);
+  }
+  const double index = refractive_index(scene.sea, scene.source.wavelength_nm);
+  for (std::int32_t k = 0; k <= bed_angle_steps; ++k) {
+    const double s = k / static_cast<double>(bed_angle_steps);
+    medium.bed_albedo.push_back(optics::refract(1.0, index, 1 - s * s).reflectance);
+  }
+}
+
+}  // namespace
 
 Medium build_air_alone(const scene::Scene& scene) {
   Medium medium;
@@ -29,9 +60,8 @@ Medium build_air_alone(const scene::Scene& scene) {
     medium.elastic_phase.push_back(medium.add_phase(air.phase(air.phases_of.front(), k)));
   }
   medium.conversion_phase.push_back(0);
-  scene::Scene over_ground = scene;
-  over_ground.bottom = scene::Bottom{scene.atmosphere->surface->albedo};
-  add_bed(over_ground, medium);
+  add_ground(scene, medium);
+  if (scene.atmosphere->is_spherical()) medium.shells = shells_of(scene, air);
   medium.finish();
   return medium;
 }

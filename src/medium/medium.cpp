@@ -345,6 +345,7 @@ MediumView Medium::view() const {
   v.phases.line = phase_lines_.table();
   v.phases.quantile = phase_quantiles_.table();
   v.phases.core_per_u = phase_cores_.view();
+  if (shells) v.shells = shells->view();
   return v;
 }
 

@@ -19,6 +19,7 @@
 #include "medium/layering.hpp"
 #include "medium/medium_view.hpp"
 #include "medium/row.hpp"
+#include "medium/shells.hpp"
 #include "medium/sources.hpp"
 #include "optics/phase_table.hpp"
 #include "optics/sea_slopes.hpp"
@@ -112,8 +113,9 @@ class Medium {
   /// Optical depths of the air as high up as its light counts (upside_down()).
   double scattering_to_instruments = 0, depth_to_instruments = 0;
   EnvironmentTables environments;
-  std::vector<Source> sources;  ///< of all that it is made of
-  Absorbers absorbers;          ///< of the source's light
+  std::optional<Shells> shells;  ///< of spherical air
+  std::vector<Source> sources;   ///< of all that it is made of
+  Absorbers absorbers;           ///< of the source's light
 
   /// Adds a phase function, or finds the equal one that is there already; returns its number.
   std::int32_t add_phase(const optics::PhaseTable& table);

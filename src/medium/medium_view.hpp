@@ -8,6 +8,7 @@
 #include "core/twin_table.hpp"
 #include "medium/layering.hpp"
 #include "medium/row.hpp"
+#include "medium/shells.hpp"
 #include "medium/surface_traits.hpp"
 #include "medium/waves.hpp"
 #include "optics/phase_table.hpp"
@@ -108,6 +109,7 @@ struct MediumView {
   WavesView waves;
   FilmView film;
   EnvironmentsView environments;
+  ShellsView shells;  ///< of spherical air; else none
 
   /// True if the encounters of walks at the surface, or on their way there from the instrument,
   /// count in environments.

@@ -143,6 +143,10 @@ tally::Totals run_batches(const estimator::Model& model, RunControl& control,
 
 tally::Result run(const scene::Scene& asked, const RunOptions& options) {
   if (options.lanes) check_lanes(*options.lanes);
+  if (options.lanes && asked.is_of_spherical_air())
+    throw InputError({{.file = "--engine lanes",
+                       .reason = "spherical air is followed in double, by the scalar engine alone",
+                       .suggestion = "leave out --engine and --isa"}});
   const scene::Scene scene = choose_estimator(asked, options);
   const estimator::Model model = estimator::make_model(scene);
   RunControl control(scene.simulation, options);

@@ -155,8 +155,8 @@ void check_refraction(const Scene& scene, Findings& findings) {
     check("source", scene.source.position_m, scene.source.direction);
   else if (findings.good({"source.kind", "atmosphere.refraction"}))
     findings.add("atmosphere.refraction",
-                 "bent light is known along the axes of lasers and telescopes alone",
-                 "leave it out, or take source.kind = \"laser\"");
+                 "in plane air bent light is known along the axes of lasers and telescopes alone",
+                 "leave it out, write geometry = \"spherical\", or take source.kind = \"laser\"");
   for (std::size_t i = 0; i < scene.telescope.size(); ++i)
     check(below("telescope", i), scene.telescope[i].position_m, scene.telescope[i].direction);
   for (std::size_t i = 0; i < scene.atmosphere->layer.size(); ++i) {
@@ -192,7 +192,7 @@ void check_atmosphere(const Scene& scene, Findings& findings) {
   if (const auto* table = air.surface ? std::get_if<UserTable>(&air.surface->albedo) : nullptr;
       table && findings.good({"atmosphere.surface"}))
     check_albedo(*table, "atmosphere.surface.albedo", findings);
-  if (air.refraction) check_refraction(scene, findings);
+  if (air.refraction && !air.is_spherical()) check_refraction(scene, findings);
   check_heights(air.layer, findings);
   for (std::size_t i = 0; i < air.layer.size(); ++i) {
     const std::string path = below("atmosphere.layer", i);

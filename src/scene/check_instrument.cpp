@@ -27,9 +27,10 @@ void check_names(const std::vector<Named>& all, const std::string& path_of_all,
 }
 
 /// Neither on the surface nor in the sea bed or the ground.
-void check_height(const std::string& path, const char* what, double z, const Scene& scene,
-                  Findings& findings) {
+void check_height(const std::string& path, const char* what, const Vec3<double>& position,
+                  const Scene& scene, Findings& findings) {
   if (!findings.good({path})) return;
+  const double z = scene.height_of(position);
   if (scene.is_of_air_alone()) {
     if (!(z > 0.0))
       findings.add(path, fmt::format("the {} is not above the ground at 0 m", what),
@@ -76,7 +77,7 @@ void check_laser(const Scene& scene, Findings& findings) {
   const Source& source = scene.source;
   check_wings(source, findings);
   remark_size("source.diameter_m", source.diameter_m, findings);
-  check_height("source.position_m", "source", source.position_m.z, scene, findings);
+  check_height("source.position_m", "source", source.position_m, scene, findings);
   if (!findings.good({"source.position_m", "source.direction"}) || scene.is_of_air_alone()) return;
   if (source.position_m.z > 0.0 && source.direction.z >= 0.0)
     findings.add("source.direction",
@@ -87,11 +88,12 @@ void check_laser(const Scene& scene, Findings& findings) {
 /// Parallel light comes from above all that scatters.
 void check_beam(const Scene& scene, Findings& findings) {
   const Source& source = scene.source;
-  if (findings.good({"source.direction"}) && source.direction.z >= 0.0)
+  if (findings.good({"source.direction"}) && source.direction.z >= 0.0 &&
+      !scene.is_of_spherical_air())
     findings.add("source.direction", "the light of a beam comes from above and must point down",
                  "make the third number negative");
   if (source.is_everywhere || !findings.good({"source.position_m"})) return;
-  const double z = source.position_m.z;
+  const double z = scene.height_of(source.position_m);
   const auto top = top_of_air_m(scene, findings);
   if (top && z < *top)
     findings.add("source.position_m",
@@ -106,8 +108,8 @@ void check_beam(const Scene& scene, Findings& findings) {
 
 /// A source inside the water or the air.
 void check_place(const Scene& scene, Findings& findings) {
-  const double z = scene.source.position_m.z;
-  check_height("source.position_m", "source", z, scene, findings);
+  const double z = scene.height_of(scene.source.position_m);
+  check_height("source.position_m", "source", scene.source.position_m, scene, findings);
   const auto top = top_of_air_m(scene, findings);
   if (top && z > *top && findings.good({"source.position_m"}))
     findings.add("source.position_m",
@@ -170,7 +172,7 @@ void check_lens(const Telescope& t, std::size_t i, Findings& findings) {
 
 void check_telescope(const Scene& scene, std::size_t i, Findings& findings) {
   const Telescope& t = scene.telescope[i];
-  check_height(at(i, "position_m"), "telescope", t.position_m.z, scene, findings);
+  check_height(at(i, "position_m"), "telescope", t.position_m, scene, findings);
   remark_size(at(i, "diameter_m"), t.diameter_m, findings);
   remark_size(at(i, "detector_diameter_m"), t.detector_diameter_m.value_or(0), findings);
   check_lens(t, i, findings);

@@ -118,6 +118,8 @@ void check_slab(double slab_m, const std::vector<double>& levels,
 
 void check_irradiance(const Scene& scene, std::size_t i, Findings& findings) {
   const Tally& tally = scene.tally[i];
+  if (findings.good({key_of(i, "zone_deg")}))
+    check_ascent(tally.zone_deg, key_of(i, "zone_deg"), findings);
   const std::string slab = key_of(i, "slab_m");
   if (!tally.slab_m || !findings.good({slab, key_of(i, "depth_m"), key_of(i, "height_m")})) return;
   for (const Stack& stack : stacks_of(scene.sea))

@@ -18,6 +18,8 @@ void check_surface(const Scene& scene, Findings& findings);
 void check_oil(const Scene& scene, Findings& findings);
 /// The air, and what cannot do with it.
 void check_atmosphere(const Scene& scene, Findings& findings);
+/// Spherical air, and what is known in it, or in it alone.
+void check_spherical(const Scene& scene, Findings& findings);
 void check_bottom(const Scene& scene, Findings& findings);
 void check_instrument(const Scene& scene, Findings& findings);
 /// The quantities beside echoes, and what cannot do with them.

@@ -48,6 +48,24 @@ constexpr auto alternatives(SourceProfile) {
         "cut off at three times these"}});
 }
 
+/// The shape of the air's layers.
+enum class AirGeometry : std::int8_t { plane, spherical };
+constexpr auto alternatives(AirGeometry) {
+  using enum AirGeometry;
+  return std::to_array<Alternative<AirGeometry>>(
+      {{plane, "plane", "level layers"},
+       {spherical, "spherical", "shells about the centre of a planet, above a ground"}});
+}
+
+/// The ground below air alone.
+enum class GroundKind : std::int8_t { lambert, sea };
+constexpr auto alternatives(GroundKind) {
+  using enum GroundKind;
+  return std::to_array<Alternative<GroundKind>>(
+      {{lambert, "lambert", "light is reflected evenly, by an albedo"},
+       {sea, "sea", "below spherical air a level sea: a mirror by Fresnel's law, black below"}});
+}
+
 /// The quantities of radiative transfer that are tallied beside echoes.
 enum class TallyKind : std::int8_t { irradiance, boundaries, fluence, radiance };
 constexpr auto alternatives(TallyKind) {

@@ -96,24 +96,36 @@ void describe_profile(V& v, Atmosphere& a) {
 
 template <class V>
 void describe(V& v, Ground& g) {
-  v.required("albedo", g.albedo,
-             albedo_rule("zenith angles of the incident light, in degrees, ascending from 0 to 90"),
-             "the share of the light that the ground reflects, as a Lambert reflector: "
-             "a number, a table of wavelength_nm, zenith_deg or both, or { file = \"…\" }");
+  v.optional(expert("kind"), g.kind, ChoiceOf<GroundKind>{}, "how the ground reflects light");
+  v.by_choice("kind", g.kind, for_choice(GroundKind::lambert, [&](auto& w) {
+                w.required("albedo", g.albedo,
+                           albedo_rule("zenith angles of the incident light, in degrees, ascending "
+                                       "from 0 to 90"),
+                           "the share of the light that the ground reflects, as a Lambert "
+                           "reflector: a number, a table of wavelength_nm, zenith_deg or both, or "
+                           "{ file = \"…\" }");
+              }));
 }
 
 template <class V>
 void describe(V& v, Atmosphere& a) {
   v.optional(
       expert("refraction"), a.refraction, YesOrNo{},
-      "whether the air bends the axes of instruments by Snell's law; the indices of the water "
-      "are then relative to the air at the sea");
+      "whether the air bends light by Snell's law: the axes of instruments, the indices of the "
+      "water then being relative to the air at the sea; in spherical air all light");
+  v.optional(expert("geometry"), a.geometry, ChoiceOf<AirGeometry>{}, "the shape of the air");
+  v.when("geometry", a.geometry, AirGeometry::spherical, [&](auto& w) {
+    w.optional(expert("planet_radius_km"), a.planet_radius_km, positive,
+               "the radius of the planet in km; its centre is straight below the origin");
+  });
   v.one_of(option(a.layer.empty(), [&](auto& w) { describe_profile(w, a); }),
            option(!a.layer.empty(), [&](auto& w) {
              w.sections(expert("layer"), a.layer, Need::required,
                         "the layers of air from the sea up");
            }));
-  v.table("surface", a.surface, "the ground below air alone, in place of the sea");
+  v.table_or_word(
+      "surface", a.surface, "kind",
+      "the ground below air alone, in place of [sea]; below spherical air also \"sea\"");
 }
 
 }  // namespace photic::scene

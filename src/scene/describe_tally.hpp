@@ -78,19 +78,26 @@ void describe(V& v, Tally& t) {
   v.required("kind", t.kind, ChoiceOf<TallyKind>{}, "the quantity");
   v.by_choice(
       "kind", t.kind,
-      for_choice(irradiance,
-                 [&](auto& w) {
-                   describe_levels(w, t);
-                   w.optional(
-                       expert("slab_m"), t.slab_m,
-                       Number{
-                           .low = 0.0,
-                           .low_open = true,
-                           .advice = "without it slabs are a twentieth of an attenuation length"},
-                       "the thickness of the slabs about the levels in which "
-                       "scalar irradiances are taken, in m; by default a twentieth "
-                       "of an attenuation length");
-                 }),
+      for_choice(
+          irradiance,
+          [&](auto& w) {
+            describe_levels(w, t);
+            w.optional(
+                expert("zone_deg"), t.zone_deg,
+                NumberList{
+                    {.low = 0.0, .high = 180.0, .advice = "180 is the far side of the planet"}, 2},
+                "in spherical air under a beam as wide as the planet: the edges of "
+                "zones, as angles at the planet's centre from the point under the "
+                "source, ascending, in degrees");
+            w.optional(
+                expert("slab_m"), t.slab_m,
+                Number{.low = 0.0,
+                       .low_open = true,
+                       .advice = "without it slabs are a twentieth of an attenuation length"},
+                "the thickness of the slabs about the levels in which "
+                "scalar irradiances are taken, in m; by default a twentieth "
+                "of an attenuation length");
+          }),
       for_choice(boundaries, [&](auto& w) { describe_boundaries(w, t); }),
       for_choice(fluence, [&](auto& w) { describe_fluence(w, t); }),
       for_choice(radiance, [&](auto& w) {

@@ -72,8 +72,10 @@ constexpr Fixed fixed_of_surface[] = {{"model", bends},
 constexpr Fixed layers{"layers", borders}, columns{"columns", beside};
 
 /// The kind of air, by a profile or by layers, is a matter of the first key.
-constexpr Fixed fixed_of_air[] = {
-    {"profile", bends_and_times}, {"top_km", borders}, {"refraction", bends}};
+constexpr Fixed fixed_of_air[] = {{"profile", bends_and_times},
+                                  {"top_km", borders},
+                                  {"refraction", bends},
+                                  {"geometry", borders}};
 constexpr Fixed fixed_of_gases[] = {{"top_km", borders}};
 constexpr Fixed fixed_of_air_layers[] = {{"name", called},
                                          {"bottom_height_m", borders},

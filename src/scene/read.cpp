@@ -234,6 +234,7 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   check_gates(reading.scene, findings);
   check_surface(reading.scene, findings);
   check_tallies(reading.scene, findings);
+  check_spherical(reading.scene, findings);
   check_memory(reading.scene, findings);
   read_on(document, layered, check, reading.scene, findings);
   findings.raise();

@@ -92,4 +92,12 @@ Scene scene_in(const Scene& scene, const Environment& environment) {
   return there;
 }
 
+double Scene::height_of(const Vec3<double>& position) const {
+  if (!is_of_spherical_air()) return position.z;
+  const double radius = atmosphere->planet_radius_m();
+  const double from_centre = std::hypot(position.x, position.y, position.z + radius);
+  const double aside = position.x * position.x + position.y * position.y;
+  return (aside + position.z * (position.z + 2 * radius)) / (from_centre + radius);
+}
+
 }  // namespace photic::scene

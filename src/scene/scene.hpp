@@ -93,9 +93,10 @@ struct AirGases {
   friend bool operator==(const AirGases&, const AirGases&) = default;
 };
 
-/// The ground below air alone, a Lambert reflector.
+/// The ground below air alone.
 struct Ground {
-  std::variant<double, UserTable> albedo = 0.0;  ///< as Bottom::albedo
+  GroundKind kind = GroundKind::lambert;
+  std::variant<double, UserTable> albedo = 0.0;  ///< lambert; as Bottom::albedo
   friend bool operator==(const Ground&, const Ground&) = default;
 };
 
@@ -108,12 +109,16 @@ struct Atmosphere {
   std::string season = "spring-summer";
   std::optional<double> relative_humidity_percent;  ///< of the boundary layer; none: the profile's
   double top_km = 100.0;
-  std::vector<AirGases> gases;    ///< a ladder, from the sea up
-  std::vector<AirLayer> layer;    ///< from the sea up; empty where there is a profile
-  bool refraction = false;        ///< layers bend light
-  std::optional<Ground> surface;  ///< in place of the sea: there is air alone
+  std::vector<AirGases> gases;  ///< a ladder, from the sea up
+  std::vector<AirLayer> layer;  ///< from the sea up; empty where there is a profile
+  bool refraction = false;      ///< layers bend light
+  AirGeometry geometry = AirGeometry::plane;
+  double planet_radius_km = 6371.0;  ///< spherical; mean of the earth, rounded [moritz2000]
+  std::optional<Ground> surface;     ///< in place of the sea: there is air alone
 
   [[nodiscard]] bool has_aerosols() const { return aerosol != "none"; }
+  [[nodiscard]] bool is_spherical() const { return geometry == AirGeometry::spherical; }
+  [[nodiscard]] double planet_radius_m() const { return 1000 * planet_radius_km; }
   friend bool operator==(const Atmosphere&, const Atmosphere&) = default;
 };
 
@@ -129,9 +134,12 @@ struct Tally {
   std::string name;  ///< fluence: what results call it; may be empty where there is but one
   /// Levels of irradiance and radiance, of one or of both; edges of a fluence, of one of them.
   std::vector<double> depth_m, height_m;
-  std::optional<double> slab_m;       ///< irradiance; none: a twentieth of an attenuation length
-  std::vector<double> zenith_deg;     ///< boundaries: edges of the angles of light that escapes
-  std::vector<double> radius_m, x_m;  ///< fluence: edges, of one of them
+  std::optional<double> slab_m;    ///< irradiance; none: a twentieth of an attenuation length
+  std::vector<double> zenith_deg;  ///< boundaries: edges of the angles of light that escapes
+  /// Irradiance in spherical air: edges of zones about the point under the source, by the angle at
+  /// the planet's centre.
+  std::vector<double> zone_deg;
+  std::vector<double> radius_m, x_m;           ///< fluence: edges, of one of them
   std::vector<TravelDirection> direction_deg;  ///< radiance
   friend bool operator==(const Tally&, const Tally&) = default;
 };
@@ -264,6 +272,11 @@ struct Scene {
   }
   /// Returns whether there is a ground in place of the sea.
   [[nodiscard]] bool is_of_air_alone() const { return atmosphere && atmosphere->surface; }
+  [[nodiscard]] bool is_of_spherical_air() const {
+    return atmosphere && atmosphere->is_spherical();
+  }
+  /// The height of a place above the sea or the ground [m].
+  [[nodiscard]] double height_of(const Vec3<double>& position) const;
   /// Returns whether echoes in other water are to be computed from the same histories.
   [[nodiscard]] bool has_environments() const {
     return !environment.empty() || !sensitivity.empty();

@@ -112,6 +112,7 @@ void SchemaBuilder::choices(const char* selector, const std::string& by_default,
       return std::ranges::find(own, key) == own.end();
     });
     Node chosen = keyed("properties", keyed(selector, keyed("const", to_node(word))));
+    if (!group.required_.empty()) demanding_.push_back(word);
     if (word != by_default) chosen.add("required", to_node(std::vector<std::string>{selector}));
     Node then = take_in(std::move(group));
     Node refused = without(foreign);

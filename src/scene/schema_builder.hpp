@@ -78,12 +78,13 @@ class SchemaBuilder {
   }
   template <class T>
   void table_or_word(const Key& key, std::optional<T>&, const char* word_key, const char* meaning) {
-    static_assert(std::is_same_v<T, PhaseFunction>);
     SchemaBuilder table;
     T value{};
     describe(table, value);
-    property(key, either_of(table.sufficient_words(word_key), reference(phase_function_name)),
-             meaning);
+    Node words = table.sufficient_words(word_key);
+    Node whole =  // it holds itself: by reference, or there would be no end
+        std::is_same_v<T, PhaseFunction> ? reference(phase_function_name) : table.take();
+    property(key, either_of(std::move(words), std::move(whole)), meaning);
   }
 
   template <class T, class Value, class Keys>

@@ -41,7 +41,7 @@ double cells_of_tally(const Tally& tally, const Scene& scene) {
   const auto cells = [&](double edges) { return std::max(0.0, edges - 1); };
   switch (tally.kind) {
     case TallyKind::irradiance:
-      return irradiances * levels;
+      return irradiances * levels * std::max(1.0, cells(number(tally.zone_deg)));
     case TallyKind::radiance:
       return levels * number(tally.direction_deg);
     case TallyKind::fluence:

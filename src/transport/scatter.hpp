@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "core/turn.hpp"
+#include "geometry/shells.hpp"
 #include "medium/medium.hpp"
 #include "surface/lambert.hpp"
 #include "transport/photon.hpp"
@@ -102,6 +104,9 @@ Deflection<T> deflect(const medium::MediumView& sea, const Index<T>& layer, cons
   out.axis = select(by_lambert, Vec3<T>{T(0), T(0), T(1)}, out.axis);
   out.one_minus_cos =
       select(by_lambert, surface::lambert_one_minus_cos(u.polar), out.one_minus_cos);
+  if constexpr (std::is_same_v<T, double>)
+    if (by_lambert && sea.shells.mirrors)
+      return {{old.x, old.y, -old.z}, 0, out.cos_azimuth, out.sin_azimuth};
   return out;
 }
 
@@ -109,6 +114,17 @@ Deflection<T> deflect(const medium::MediumView& sea, const Index<T>& layer, cons
 template <class T>
 Vec3<T> turned(const Deflection<T>& by) {
   return turned(by.axis, by.one_minus_cos, by.cos_azimuth, by.sin_azimuth);
+}
+
+/// Turns the new direction of a photon that stands on the ground below spherical air out of the
+/// frame that it has there (transport/shell_flight.hpp).
+template <class T>
+void leave_ground(const medium::MediumView& air, Photon<T>& photon) {
+  if constexpr (std::is_same_v<T, double>) {
+    if (!air.shells.exist() || photon.layer != air.layers) return;
+    const auto up = geometry::local_vertical(air.shells, photon.position);
+    photon.direction = geometry::from_local_frame(up, photon.direction);
+  }
 }
 
 /// p / q <= 1 / (1 - e) of a new direction, both terms always in q (Veach & Guibas, SIGGRAPH 95,

@@ -16,6 +16,7 @@
 #include "estimator/crossing.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/event.hpp"
+#include "estimator/fly_in_shells.hpp"
 #include "estimator/random_blocks.hpp"
 #include "estimator/tally_events.hpp"
 #include "estimator/termination.hpp"
@@ -121,6 +122,7 @@ struct AnalogSteps {
 
   /// To the next collision, by way of the surface if need be.
   transport::FlightEnd<T> fly(AnalogPhotons<T>& p) {
+    if (is_in_shells(world)) return fly_in_shells(world, p, minus_log(u[0]), tally, ledger);
     const T depth = geometry::depth_of(p.photon.position);
     auto end = fly_to_detectors(p.photon, p.touched, p.on, u[0], depth);
     const Mask<T> at_surface = p.on & end.surface;

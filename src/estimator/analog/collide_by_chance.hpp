@@ -36,6 +36,7 @@ Mask<T> collide_by_chance(const medium::MediumView& sea, transport::Photon<T>& p
   photon.direction =
       transport::turned(transport::deflect(sea, photon.layer, photon.direction, phase, phase, none,
                                            T(0), {u_polar, u_azimuth, T(0), T(0)}));
+  transport::leave_ground(sea, photon);
   photon.layer = sea.layer_of<T>(photon.layer);
   return colliding & goes_on;
 }

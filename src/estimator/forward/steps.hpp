@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "estimator/event.hpp"
+#include "estimator/fly_in_shells.hpp"
 #include "estimator/forward/at_surface.hpp"
 #include "estimator/forward/companions.hpp"
 #include "estimator/forward/estimate.hpp"
@@ -43,7 +44,7 @@ struct ForwardSteps {
   /// Scores a flight before it begins.
   void look_ahead(ForwardTracks<T>& t) {
     if constexpr (Events::tallies)
-      if (world.tallies) tally_escape_ahead<Ledger>(world, t, t.on, tally);
+      if (world.tallies && !is_in_shells(world)) tally_escape_ahead<Ledger>(world, t, t.on, tally);
     if (!world.forward.cones.empty())
       score_on_the_way<Events>(world, t, who_are_scored(world, t, t.on), estimates, tally);
     if constexpr (Events::tools) begin_with_tools<Events>(world, t, t.on, ledger, leave);
@@ -58,6 +59,12 @@ struct ForwardSteps {
     transport::Photon<T>& photon = t.photon;
     const auto companions = companions_of<Events>(world, t);
     companions.before(photon);
+    if constexpr (Events::tallies)
+      if (is_in_shells(world)) {
+        const auto end = fly_in_shells(world, t, t.free_path, tally, ledger);
+        companions.flown(photon, end.length, t.on);
+        return end;
+      }
     auto end = transport::fly(world.slabs, photon, t.free_path);
     if constexpr (Events::tallies)
       if (world.tallies) TallyEvents<T>(world, tally).flown(t.ratios.before, photon, end, t.on);
@@ -183,6 +190,7 @@ struct ForwardSteps {
   }
   /// Ends the photons that were sent towards a target below it: no light goes there.
   void leave_bed(ForwardTracks<T>& t) {
+    transport::leave_ground(world.slabs, t.photon);
     t.on = t.on & !(t.colliding & (t.photon.weight == T(0)));
     t.touched = select(t.colliding,
                        transport::touched_at<T>(world.slabs, t.photon.layer, t.touched), t.touched);

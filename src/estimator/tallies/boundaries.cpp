@@ -25,11 +25,16 @@ void Boundaries::fly(const Flight& flight, const ContinuousAbsorption& absorptio
                      tally::TallyScores& scores) const {
   double weight = flight.weight;
   each_layer(absorption, flight, [&](std::size_t layer, double length, double) {
-    const double depth = absorption.per_m(layer) * length;
-    const double lost = weight * depth * decay_over(depth).mean;
-    absorb(absorption.first_layer() + layer, lost, scores);  // if weights grow, by collisions
-    weight -= lost;
+    weight -= lose(absorption, layer, length, weight, scores);
   });
+}
+
+double Boundaries::lose(const ContinuousAbsorption& absorption, std::size_t layer, double length,
+                        double weight, tally::TallyScores& scores) const {
+  const double depth = absorption.per_m(layer) * length;
+  const double lost = weight * depth * decay_over(depth).mean;
+  absorb(absorption.first_layer() + layer, lost, scores);  // if weights grow, by collisions instead
+  return lost;
 }
 
 void Boundaries::escape(double cosine, double weight, bool was_in_water,

@@ -30,6 +30,10 @@ class Boundaries {
   /// Books the absorption along a flight.
   void fly(const Flight& flight, const ContinuousAbsorption& absorption,
            tally::TallyScores& scores) const;
+  /// Books that along a piece within a layer, of light of a weight at its start; returns what that
+  /// loses. If weights grow, collisions lose it instead.
+  double lose(const ContinuousAbsorption& absorption, std::size_t layer, double length,
+              double weight, tally::TallyScores& scores) const;
   /// Books that of a collision; `weight`: before it loses any there.
   void collide(std::size_t layer, double weight, tally::TallyScores& scores) const {
     if (lost_[layer] > 0) absorb(layer, weight * lost_[layer], scores);

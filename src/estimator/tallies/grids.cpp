@@ -34,7 +34,11 @@ class Grids {
  public:
   Grids(const scene::Scene& scene, const medium::Medium& medium,
         const std::optional<medium::Air>& air)
-      : scene_(scene), medium_(medium), air_(air), strength_(strength_of(scene.source)) {}
+      : scene_(scene), medium_(medium), air_(air), strength_(strength_of(scene.source)) {
+    if (!strength_ || !scene.source.is_everywhere || !scene.is_of_spherical_air()) return;
+    const double radius = scene.atmosphere->planet_radius_m() + medium.top.back();
+    share_strength_ = Strength{"W", strength_->value * pi * radius * radius};
+  }
 
   void add(const scene::Tally& tally) {
     using enum scene::TallyKind;
@@ -62,11 +66,12 @@ class Grids {
     grid.kind = kind_;
     grid.units = units;
     grid.dimensions = std::move(dimensions);
-    grid.normalisation = scene_.source.is_everywhere ? "per photon that comes to a horizontal area"
-                                                     : "per photon emitted";
-    if (strength_)
-      grid.by_strength = {strength_->value * strength_->share_scale,
-                          times(strength_->units, units)};
+    grid.normalisation = !scene_.source.is_everywhere ? "per photon emitted"
+                         : scene_.is_of_spherical_air()
+                             ? "per photon that comes to the planet's air"
+                             : "per photon that comes to a horizontal area";
+    if (const auto& strength = share_strength_ ? share_strength_ : strength_)
+      grid.by_strength = {strength->value * strength->share_scale, times(strength->units, units)};
     return grid;
   }
   /// A grid of a quantity that is, for light as wide as the world, per irradiance across its beam.
@@ -95,11 +100,39 @@ class Grids {
   }
 
   void add_irradiance(const scene::Tally& tally) {
-    const std::vector<Dimension> by_level{levels(tally, "level")};
-    add_flux("irradiance_down", "downward plane irradiance", "1", by_level);
-    add_flux("irradiance_up", "upward plane irradiance", "1", by_level);
-    add_flux("scalar_irradiance_down", "downward scalar irradiance", "1", by_level);
-    add_flux("scalar_irradiance_up", "upward scalar irradiance", "1", by_level);
+    std::vector<Dimension> dimensions{levels(tally, "level")};
+    if (!tally.zone_deg.empty())
+      dimensions.push_back(
+          {"zone",
+           tally.zone_deg.size() - 1,
+           {{.name = "zone",
+             .units = "degree",
+             .long_name = "angle at the planet's centre from the point under the source",
+             .edges = tally.zone_deg}}});
+    const std::vector<double> factor = per_area_of_zones(tally);
+    const auto add = [&](const char* name, const char* long_name) {
+      TallyGrid& grid = add_flux(name, long_name, "1", dimensions);
+      if (!factor.empty()) grid.factor = factor;
+    };
+    add("irradiance_down", "downward plane irradiance");
+    add("irradiance_up", "upward plane irradiance");
+    add("scalar_irradiance_down", "downward scalar irradiance");
+    add("scalar_irradiance_up", "upward scalar irradiance");
+  }
+  /// The area of the disc that lights a planet over that of each zone at each level; none without
+  /// zones.
+  [[nodiscard]] std::vector<double> per_area_of_zones(const scene::Tally& tally) const {
+    std::vector<double> out;
+    if (tally.zone_deg.empty()) return out;
+    const double radius = scene_.atmosphere->planet_radius_m();
+    for (const TallyLevel& level : levels_of(tally))
+      for (std::size_t z = 0; z + 1 < tally.zone_deg.size(); ++z) {
+        const double share = (radius + medium_.top.back()) / (radius + level.distance);
+        const double cosines = std::cos(tally.zone_deg[z] * radian_per_degree) -
+                               std::cos(tally.zone_deg[z + 1] * radian_per_degree);
+        out.push_back(share * share / (2 * cosines));
+      }
+    return out;
   }
 
   void add_boundaries(const scene::Tally& tally) {
@@ -187,7 +220,8 @@ class Grids {
   const medium::Medium& medium_;
   const std::optional<medium::Air>& air_;
   std::optional<Strength> strength_;
-  scene::TallyKind kind_{};  ///< of the tally at hand
+  std::optional<Strength> share_strength_;  ///< of shares, where it is of another kind
+  scene::TallyKind kind_{};                 ///< of the tally at hand
   std::vector<TallyGrid> grids_;
 };
 

@@ -69,7 +69,19 @@ class Maker {
     if (out_.escapes_at_surface && !model_.is_air_alone()) f(out_.outside, true);
   }
 
+  void add_irradiance_in_shells(const scene::Tally& tally) {
+    std::vector<ShellIrradiance::Level> levels;
+    for (const TallyLevel& level : levels_of(tally))
+      levels.push_back({levels.size(), level.distance,
+                        slab_at(tally, model_.from_surface(level), out_.inside.front(), true)});
+    out_.in_shells.emplace(
+        slabs_.shells, levels, out_.inside.front().absorption,
+        ShellIrradiance::Zones{-normalised(model_.scene.source.direction), tally.zone_deg},
+        ShellIrradiance::Cells{cell("irradiance_down"), cell("irradiance_up"),
+                               cell("scalar_irradiance_down"), cell("scalar_irradiance_up")});
+  }
   void add_irradiance(const scene::Tally& tally) {
+    if (slabs_.shells.exist()) return add_irradiance_in_shells(tally);
     const Irradiance::Cells down{cell("irradiance_down"), cell("scalar_irradiance_down")};
     const Irradiance::Cells up{cell("irradiance_up"), cell("scalar_irradiance_up")};
     const auto levels = levels_of(tally);

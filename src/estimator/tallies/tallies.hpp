@@ -9,6 +9,7 @@
 #include "estimator/tallies/fluence.hpp"
 #include "estimator/tallies/irradiance.hpp"
 #include "estimator/tallies/radiance.hpp"
+#include "estimator/tallies/shell_irradiance.hpp"
 
 namespace photic::estimator {
 
@@ -30,6 +31,7 @@ struct Tallies {
   FlightTallies outside;  ///< of the clear air that light comes from and goes to; else none
   std::optional<Boundaries> boundaries;
   std::optional<Radiance> radiance;
+  std::optional<ShellIrradiance> in_shells;  ///< of spherical air
   /// Light that goes through the surface escapes: there is clear air beyond.
   bool escapes_at_surface = false;
   /// Light that comes to the end of the medium escapes: it is the top of the air.

@@ -112,7 +112,9 @@ std::set<std::string> keys_of_scenes() {
         lit_scene(std::string(lamp) + "\npower_w = 1", maps), lit_scene(sun, balance, rough),
         lit_scene(std::string(laser) + "\nenergy_j = 1"),
         lit_scene(std::string(laser) + "\nphotons_per_pulse = 1"),
-        lit_scene(sun, balance, air_alone), row_scene()})
+        lit_scene(sun, balance, air_alone), row_scene(),
+        lit_scene(sun, "[[tally]]\nkind = \"irradiance\"\nheight_m = [1]\nzone_deg = [0, 90]",
+                  std::string(air_alone) + "\ngeometry = \"spherical\"\nplanet_radius_km = 6000")})
     collect_keys(json::parse(write_scene_json(read_text(text))), keys);
   return keys;
 }

@@ -190,8 +190,9 @@ std::vector<WrongSource> wrong_sources() {
         "source.kind = \"laser\", or a [[tally]] in place of telescopes)"}},
       {"BentLight",
        lit_scene(sun, balance, air + "refraction = true\n" + water),
-       {"scene.toml:10:14: bent light is known along the axes of lasers and telescopes alone "
-        "(leave it out, or take source.kind = \"laser\")"}},
+       {"scene.toml:10:14: in plane air bent light is known along the axes of lasers and "
+        "telescopes "
+        "alone (leave it out, write geometry = \"spherical\", or take source.kind = \"laser\")"}},
       {"Bidirectional",
        lit_scene(lamp, telescope, water, "photons = 1\nestimator = \"bidirectional\""),
        {"scene.toml:7:1: telescopes see light by its time, and a cone has no pulses (take "

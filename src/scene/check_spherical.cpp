@@ -1,0 +1,113 @@
+// Checks of spherical air, and of what is known in it, or in it alone.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "scene/checks.hpp"
+
+namespace photic::scene {
+namespace {
+
+/// Air above a planet that is hardly larger is no thin layer: a unit may be wrong.
+constexpr double least_radius_per_top = 100;
+
+void check_planet(const Scene& scene, Findings& findings) {
+  const char* path = "atmosphere.planet_radius_km";
+  const auto top = top_of_air_m(scene, findings);
+  if (!top || !findings.good({path})) return;
+  const double radius_km = scene.atmosphere->planet_radius_km, top_km = *top / 1000;
+  if (radius_km < least_radius_per_top * top_km)
+    findings.add(
+        path,
+        fmt::format("the planet's radius of {} km is less than {:g} times the top of its air at {} "
+                    "km",
+                    plain_number(radius_km), least_radius_per_top, plain_number(top_km)),
+        fmt::format("write at least {}, or a lower top of the air",
+                    plain_number(least_radius_per_top * top_km)));
+}
+
+void check_ground(const Scene& scene, Findings& findings) {
+  if (scene.is_of_air_alone() || !findings.good({"atmosphere.geometry", "atmosphere.surface"}))
+    return;
+  findings.add("atmosphere.geometry",
+               "below spherical air there is a ground, and no water: layers, columns and films are "
+               "plane",
+               "write surface = { albedo = 0.1 } into [atmosphere] and leave [sea], [bottom] and "
+               "[oil] out, or take geometry = \"plane\"");
+}
+
+/// Below plane air a level sea is one of water.
+void refuse_sea_below_planes(const Scene& scene, Findings& findings) {
+  if (!scene.is_of_air_alone() || scene.atmosphere->surface->kind != GroundKind::sea) return;
+  if (scene.is_of_spherical_air() || !findings.good({"atmosphere.surface", "atmosphere.geometry"}))
+    return;
+  findings.add("atmosphere.surface",
+               "a sea that is black below its surface is one of spherical air",
+               "write geometry = \"spherical\", or a [[sea.layer]] in place of it");
+}
+
+void check_telescopes(const Scene& scene, Findings& findings) {
+  if (scene.telescope.empty() || !findings.good({"telescope"})) return;
+  findings.add("telescope.0",
+               "echoes are known in plane air alone: ranges and incidences of spherical air are "
+               "not in them",
+               "take geometry = \"plane\", or a [[tally]] in place of telescopes");
+}
+
+void check_tools(const Scene& scene, Findings& findings) {
+  if (scene.simulation.tools.importance.empty() || !findings.good({"simulation.tools"})) return;
+  findings.add("simulation.tools.importance",
+               "importances are of depths, which spherical air does not have",
+               "leave them out, or take geometry = \"plane\"");
+}
+
+/// Zones are of light as wide as the planet, which has no irradiance without them.
+void check_zones(const Scene& scene, std::size_t i, Findings& findings) {
+  const std::string path = fmt::format("tally.{}.zone_deg", i);
+  const auto& zones = scene.tally[i].zone_deg;
+  if (!findings.good({path, "source", "atmosphere.geometry"})) return;
+  if (!zones.empty() && !scene.is_of_spherical_air())
+    return findings.add(path, "there are zones below spherical air alone",
+                        "leave them out, or write geometry = \"spherical\" into [atmosphere]");
+  if (!zones.empty() && !scene.source.is_everywhere)
+    return findings.add(path,
+                        "zones are for light as wide as the planet: of a source with a place "
+                        "irradiances are integrals over spheres",
+                        "leave them out, or take a beam without position_m");
+  if (zones.empty() && scene.is_of_spherical_air() && scene.source.is_everywhere)
+    findings.add(path,
+                 "a beam without a place lights the whole planet, and its irradiance differs from "
+                 "zone to zone",
+                 "add the edges of zones, as zone_deg = [0, 30, 60, 90, 180]");
+}
+
+/// Quantities of planes and of cylinders.
+void refuse_plane_tally(const Scene& scene, std::size_t i, Findings& findings) {
+  if (!scene.is_of_spherical_air() || !findings.good({"atmosphere.geometry"})) return;
+  const char* what = scene.tally[i].kind == TallyKind::radiance
+                         ? "radiances are known where the air is the same at all places, in planes"
+                         : "the cells of a fluence are between planes";
+  findings.add(fmt::format("tally.{}.kind", i), what,
+               "take kind = \"irradiance\", or geometry = \"plane\"");
+}
+
+}  // namespace
+
+void check_spherical(const Scene& scene, Findings& findings) {
+  for (std::size_t i = 0; i < scene.tally.size(); ++i) {
+    if (!findings.good({fmt::format("tally.{}.kind", i)})) continue;
+    const TallyKind kind = scene.tally[i].kind;
+    if (kind == TallyKind::irradiance) check_zones(scene, i, findings);
+    if (kind == TallyKind::radiance || kind == TallyKind::fluence)
+      refuse_plane_tally(scene, i, findings);
+  }
+  refuse_sea_below_planes(scene, findings);
+  if (!scene.is_of_spherical_air()) return;
+  check_planet(scene, findings);
+  check_ground(scene, findings);
+  check_telescopes(scene, findings);
+  check_tools(scene, findings);
+}
+
+}  // namespace photic::scene
