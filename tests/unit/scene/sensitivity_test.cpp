@@ -195,16 +195,17 @@ TEST(Sensitivity, IsReportedWithAllElse) {
             (Texts{"scene.toml:1:16: no step of 'sea.layer.0.chlorophyll_mg_m3' to 0.1001 can be "
                    "made: too green (another laser)"}));
   const std::string wrong = edited({{6, 6, "diameter_m = -1"}});
-  EXPECT_EQ(diagnostics_of(
-                deriving("'sea.layer.1.phase_function.k', 'sea.layer.0.chlorophyll_mg_m3'", wrong) +
-                "[[environment]]\nset = { 'sea.x' = 1 }\n"),
-            (Texts{"scene.toml:1:16: there is no 'k' in 'sea.layer.1.phase_function' (known there: "
-                   "model, g)",
-                   "scene.toml:7:14: 'diameter_m' must be a finite number, greater than 0, not -1",
-                   "scene.toml:33:9: unknown key 'x' in [sea] (known here: salinity_psu, "
-                   "temperature_c, refractive_index, group_index, surface, layer, column, iop_table, "
-                   "y_min_m, y_max_m, "
-                   "profile_tolerance)"}));
+  EXPECT_EQ(
+      diagnostics_of(
+          deriving("'sea.layer.1.phase_function.k', 'sea.layer.0.chlorophyll_mg_m3'", wrong) +
+          "[[environment]]\nset = { 'sea.x' = 1 }\n"),
+      (Texts{"scene.toml:1:16: there is no 'k' in 'sea.layer.1.phase_function' (known there: "
+             "model, g)",
+             "scene.toml:7:14: 'diameter_m' must be a finite number, greater than 0, not -1",
+             "scene.toml:33:9: unknown key 'x' in [sea] (known here: salinity_psu, "
+             "temperature_c, refractive_index, group_index, surface, layer, column, iop_table, "
+             "y_min_m, y_max_m, "
+             "profile_tolerance)"}));
   EXPECT_EQ(diagnostics_of(deriving("'sea.layer.0.chlorophyll_mg_m3', 5",
                                     edited({{22, 22, "chlorophyll_mg_m3 = -1"}}))),
             (Texts{"scene.toml:1:49: 'sensitivity' must hold paths, not 5 (write "
