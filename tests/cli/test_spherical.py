@@ -165,6 +165,10 @@ def test_zones_are_a_dimension_of_files(photic, tmp_path):
         assert (file["escaped"].strength_units, file["balance"][:]) == ("W", pytest.approx(1, abs=1e-2))
         # 2 W/m2 on the disc of the planet and its air.
         assert file["escaped"].strength_scale == pytest.approx(2 * np.pi * 6431e3**2)
+    # A panel for each irradiance, with a line for each zone. Seen red: drawn as a fluence.
+    drawn = photic("plot", "air.nc", "-o", "air.svg")
+    assert (drawn.returncode, drawn.stderr) == (0, "")
+    assert (tmp_path / "air.svg").stat().st_size > 0
 
 
 # What show prints is a scene again.
