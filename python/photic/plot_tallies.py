@@ -23,6 +23,8 @@ def draw(sheet, result):
             levels.append(_profiles(result, same, dims[0]))
         elif dims == ("direction", "radiance_level"):
             levels.append(_radiance(result, same[0]))
+        elif dims == ("level", "zone"):
+            levels += [_zones(result, name) for name in same]
         elif dims == ("escape_zenith",):
             bars.append(_by_angle(result, same[0]))
         elif dims == ("layer", "constituent"):
@@ -68,6 +70,15 @@ def _radiance(result, name):
     every = [tallies.quantity(result, name, direction=k) for k in range(count)]
     lines = list(zip(words, panels.family(count), every))
     draws = partial(tallies.profiles, lines, result.radiance_level_depth.values)
+    return Cell(_titled(_label(result, name)), PANEL, draws, tallies.profiles_legend(lines))
+
+
+def _zones(result, name):
+    edges = _edges(result, "zone")
+    words = [f"zone {first:g}° to {last:g}°" for first, last in zip(edges, edges[1:])]
+    every = [tallies.quantity(result, name, zone=k) for k in range(len(words))]
+    lines = list(zip(words, panels.family(len(words)), every))
+    draws = partial(tallies.profiles, lines, result.level_depth.values)
     return Cell(_titled(_label(result, name)), PANEL, draws, tallies.profiles_legend(lines))
 
 

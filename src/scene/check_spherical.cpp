@@ -23,7 +23,8 @@ void check_planet(const Scene& scene, Findings& findings) {
         fmt::format("the planet's radius of {} km is less than {:g} times the top of its air at {} "
                     "km",
                     plain_number(radius_km), least_radius_per_top, plain_number(top_km)),
-        fmt::format("write at least {}, or a lower top of the air",
+        fmt::format("let the air end at {} km at most, or write at least {}",
+                    plain_number(radius_km / least_radius_per_top),
                     plain_number(least_radius_per_top * top_km)));
 }
 

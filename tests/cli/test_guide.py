@@ -52,6 +52,8 @@ def properties_of(schema, path):
     for key in path.split("."):
         schema = schema["properties"][key]
         schema = schema.get("items", schema)
+        tables = [way for way in schema.get("anyOf", []) if "properties" in way]  # of a table, or a word in its place
+        schema = tables[0] if tables else schema
     return schema["properties"]
 
 

@@ -59,7 +59,7 @@ depth_step_m = 1
 """
 LASER = "position_m = [0, 0, 1e5]\ndirection = [0, 0, -1]\ndiameter_m = 0.1\nhalf_divergence_mrad = 0.1\n"
 
-# Each with the line that it is about, the reason and the suggestion. Seen red: each without its check.
+# Each with the line that it is about, the reason and the suggestion.
 REFUSED = {
     "water below": (
         scene_of(air='geometry = "spherical"\n', rest="[[sea.layer]]\nchlorophyll_mg_m3 = 1\n"),
@@ -119,7 +119,6 @@ def test_what_is_not_known_is_refused(check, name):
     assert len(problems) == 1, problems
 
 
-# Seen red: with the lanes' default.
 def test_the_engine_is_the_scalar_one(photic, tmp_path):
     (tmp_path / "air.toml").write_text(scene_of())
     for options in [["--engine", "lanes"], ["--isa", "baseline"]]:
@@ -136,7 +135,6 @@ def test_the_engine_is_the_scalar_one(photic, tmp_path):
 
 
 # sin(i) = (R + h)/R sin(t): 3 degrees off nadir at 705 km are 3.3323 at the ground, 15 are 16.7059 (world.md C).
-# Seen red: with the flat ground's angle.
 def test_show_has_the_zenith_angle_at_the_ground(photic, tmp_path):
     for off_nadir, zenith in [(3, "3.33230"), (15, "16.7059")]:
         angle = np.radians(off_nadir)
@@ -167,9 +165,13 @@ def test_zones_are_a_dimension_of_files(photic, tmp_path):
         assert (file["escaped"].strength_units, file["balance"][:]) == ("W", pytest.approx(1, abs=1e-2))
         # 2 W/m2 on the disc of the planet and its air.
         assert file["escaped"].strength_scale == pytest.approx(2 * np.pi * 6431e3**2)
+    # A panel for each irradiance, with a line for each zone. Seen red: drawn as a fluence.
+    drawn = photic("plot", "air.nc", "-o", "air.svg")
+    assert (drawn.returncode, drawn.stderr) == (0, "")
+    assert (tmp_path / "air.svg").stat().st_size > 0
 
 
-# What show prints is a scene again. Seen red: without the ground's kind.
+# What show prints is a scene again.
 @pytest.mark.parametrize("ground", ['"sea"', "{ albedo = 0.3 }", '{ kind = "sea" }'])
 def test_what_show_prints_is_the_scene(photic, tmp_path, ground):
     air = SPHERICAL.replace("{ albedo = 0.1 }", ground) + "planet_radius_km = 7000\nrefraction = true\n"

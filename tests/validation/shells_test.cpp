@@ -52,8 +52,8 @@ Straight straight_through(const std::string& scene, std::optional<double> stop_a
 }
 
 // A flight that is interrupted goes on from where it ended, in the direction that it had there: the
-// rest of the way is the same. Seen red: with the position, and with the direction, that light has
-// before shells have bent it.
+// rest of the way is the same. Seen red: with the direction before shells have
+// bent it; with a position that is 1e-4 of a radius aside.
 TEST(Shells, FlightsGoOnWhereTheyEnded) {
   for (const double zenith_deg : {50.0, 84.0, 89.0})
     for (const bool bend : {false, true}) {

@@ -73,8 +73,8 @@ TEST(ShellRay, GoesTheSameWayBack) {
 }
 
 // A chord is twice as long as the way from the nearest point: sqrt(r^2 - b^2). Rays that just meet
-// a sphere, or just miss it, pass the shells of their chord alone. Seen red: with the root of the
-// way down taken for the way up.
+// a sphere, or just miss it, pass the shells of their chord alone. Seen red: with the formula
+// of the way down taken for the way up.
 TEST(ShellRay, PassesItsLowestPointAndGoesOut) {
   const double planet = 6.4e6, top = 6e4;
   const medium::Shells straight(planet, {0, 1.5e4, 3e4, 4.5e4, top}, {});
@@ -90,7 +90,8 @@ TEST(ShellRay, PassesItsLowestPointAndGoesOut) {
   }
 }
 
-// By the critical angle of an index of 1.2 against 1.1, 66.44 degrees at the sphere.
+// By the critical angle of an index of 1.2 against 1.1, 66.44 degrees at the sphere. Seen red: with
+// rays that go on horizontally.
 TEST(ShellRay, IsReflectedInTotalAndStaysInItsShell) {
   const auto shells = three_that_bend.view();
   // sin = sin(launch) / 1.5 at the sphere above: such angles are met from within the shell alone.
