@@ -20,7 +20,7 @@ struct InColumn {
   T from{}, to{};
 };
 
-/// Where rays leave the columns that they are in.
+/// The faces by which rays leave the columns that they are in.
 template <class T>
 struct ToFace {
   T length{};          ///< along the ray, from its start [m]

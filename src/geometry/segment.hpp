@@ -143,7 +143,7 @@ struct OpticalDepths {
 /// Of light that leaves a row of columns by a side: nothing of it comes on.
 inline constexpr double opaque = 1e4;
 
-/// Where there are no columns, or within one of them.
+/// Those of a segment where there are no columns, or within one of them.
 template <class T>
 OpticalDepths<T> depths_in_column(const Slabs& sea, const Segment<T>& s) {
   if (s.course == Course::straight)
@@ -156,6 +156,7 @@ OpticalDepths<T> depths_in_column(const Slabs& sea, const Segment<T>& s) {
   return {down.all * s.slant.length / s.slant.depth, down.walk * s.slant.length / s.slant.depth};
 }
 
+/// Those of a segment through the columns of a row.
 template <class T>
 PHOTIC_APART OpticalDepths<T> depths_through_columns(const Slabs& sea, const Segment<T>& s) {
   OpticalDepths<T> sum{T(0), T(0)};

@@ -62,7 +62,7 @@ std::string names_of_place(const OpticalTable& table) {
   return table.in_columns ? fmt::format("layer,{},{}", edges.first_m, edges.last_m) : edges.first_m;
 }
 
-/// What a row of a layer begins with.
+/// The first fields of the rows of a layer.
 std::string place_of(const OpticalTable& table, std::size_t layer) {
   if (!table.in_columns) return fmt::format("{}", table.first_m[layer]);
   return fmt::format("{},{},{}", csv_field(table.layer_name[layer]), table.first_m[layer],

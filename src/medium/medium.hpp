@@ -138,8 +138,8 @@ class Medium {
   [[nodiscard]] double scattering() const;
   /// Scattering in an environment, of a line and layer [1/m].
   [[nodiscard]] double scattering_in(std::size_t environment, std::size_t cell) const;
-  /// How layers follow one another by the integrals of a coefficient from the surface, in a row for
-  /// each line and column. `edges`: keeps what its view points to.
+  /// The layering by the integrals of a coefficient from the surface, in a row for each line and
+  /// column. `edges`: keeps what its view points to.
   [[nodiscard]] Layering layering_by(const std::vector<double>& coefficient,
                                      TwinTable& edges) const;
   /// A table [line][layer], so many numbers each, with those of beds that reflect; none: as in the
@@ -174,7 +174,7 @@ class Medium {
   [[nodiscard]] std::vector<double> to_places(const std::vector<double>& coefficient) const;
   /// The same to the beds, [line][column].
   [[nodiscard]] std::vector<double> to_beds(const std::vector<double>& coefficient) const;
-  /// How layers follow one another by such integrals, or by depths; `padded`: for its view.
+  /// The layering by such integrals, or by depths; `padded`: for its view.
   [[nodiscard]] Layering layering_of(std::span<const double> edges, TwinTable& padded) const;
   [[nodiscard]] Layering layering_by_depth(TwinTable& edges) const;
   [[nodiscard]] WavesView waves_view() const;

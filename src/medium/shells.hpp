@@ -11,8 +11,8 @@ namespace photic::medium {
 struct ShellsView {
   double planet_m = 0;             ///< radius of the ground
   std::span<const double> height;  ///< of the spheres above the ground, from the top down to 0 [m]
-  /// Where spheres bend light, 1 - (n / n')^2 of light that goes up from an index of n to n', and
-  /// of light that goes down, by sphere; else none.
+  /// 1 - (n / n')^2 of light that goes up from an index of n to n', and of light that goes down, by
+  /// sphere; none where spheres do not bend light.
   std::span<const double> upwards, downwards;
   bool mirrors = false;         ///< the ground reflects like a mirror, else evenly
   bool source_outside = false;  ///< light comes from above the air

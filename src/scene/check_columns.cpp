@@ -15,7 +15,7 @@ std::string key_of(std::size_t i, const char* key) {
   return fmt::format("sea.column.{}.{}", i, key);
 }
 
-/// What no estimator does so far.
+/// Refuses what no estimator does so far.
 void refuse_not_yet(const Scene& scene, Findings& findings) {
   for (std::size_t i = 0; i < scene.sea.column.size(); ++i) {
     const Column& column = scene.sea.column[i];
@@ -28,7 +28,7 @@ void refuse_not_yet(const Scene& scene, Findings& findings) {
                  "leave [atmosphere] out, or take [[sea.layer]] in place of [[sea.column]]");
 }
 
-/// Where a column begins that is not the first: where the one before it ends.
+/// Checks that a column begins where the one before it ends.
 void check_begin(const Column& column, double begin_m, std::size_t i, Findings& findings) {
   const std::string path = key_of(i, "x_min_m");
   if (!column.x_min_m || !findings.good({path})) return;

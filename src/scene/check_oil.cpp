@@ -17,7 +17,7 @@ void check_surface_under_oil(const Scene& scene, Findings& findings) {
                "leave it out, or leave [oil] out");
 }
 
-/// What a film at a path cannot do with. `label`: of what may be left out.
+/// Refuses what a film at a path cannot do with. `label`: of what may be left out.
 void check_film(const Scene& scene, const Oil& oil, const std::string& path, const char* label,
                 Findings& findings) {
   if (oil.thickness_um > thickest_film_um)

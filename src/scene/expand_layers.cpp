@@ -37,7 +37,7 @@ void set_number(Node& table, const std::string& key, double value) {
   set(table, key, {.value = value, .place = old ? old->place : table.place});
 }
 
-/// Takes the layers of a stack one by one, and says what they become.
+/// Takes the layers of a stack one by one, and reports what they become.
 class LayerExpander {
  public:
   /// `path`: of the layers.

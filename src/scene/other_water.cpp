@@ -68,7 +68,7 @@ constexpr Fixed fixed_of_surface[] = {{"model", bends},
                                       {"facets", weighs},
                                       {"whitecap_reflectance", bends}};
 
-/// What there are as many of as in the scene, and why.
+/// Things whose number is as in the scene, and the reason.
 constexpr Fixed layers{"layers", borders}, columns{"columns", beside};
 
 /// The kind of air, by a profile or by layers, is a matter of the first key.

@@ -1,4 +1,4 @@
-// What a scene asks for and the bidirectional estimator cannot do.
+// The requests of a scene that the bidirectional estimator cannot meet.
 #pragma once
 
 #include <optional>

@@ -171,7 +171,7 @@ def test_zones_are_a_dimension_of_files(photic, tmp_path):
     assert (tmp_path / "air.svg").stat().st_size > 0
 
 
-# What show prints is a scene again.
+# The output of show is a scene again.
 @pytest.mark.parametrize("ground", ['"sea"', "{ albedo = 0.3 }", '{ kind = "sea" }'])
 def test_what_show_prints_is_the_scene(photic, tmp_path, ground):
     air = SPHERICAL.replace("{ albedo = 0.1 }", ground) + "planet_radius_km = 7000\nrefraction = true\n"

@@ -1,4 +1,4 @@
-// What tallies are shown of a flight through spherical air: its legs, each within one shell.
+// The legs of flights through spherical air, each within one shell, as tallies are shown them.
 #pragma once
 
 #include "estimator/tallies/tallies.hpp"
