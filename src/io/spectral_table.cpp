@@ -3,46 +3,37 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "io/atomic_file.hpp"
-#include "io/netcdf.hpp"
-#include "io/netcdf_image.hpp"
+#include "io/describe.hpp"
 #include "io/table_parts.hpp"
 #include "io/text_columns.hpp"
 
 namespace photic::io {
-namespace {
-
-std::string spectral_netcdf(const SpectralTable& table, const OpticsOrigin& origin) {
-  NetcdfImage file;
-  file.add_global("Conventions", "CF-1.10");
-  file.add_global("title", LongText{origin.title});
-  file.add_global("source", fmt::format("Photic {}: {}", origin.version, table.what));
-  file.add_global("history", LongText{origin.history});
-  file.add_global("references", LongText{fmt::format("{}", fmt::join(table.sources, "\n"))});
-  file.add_global("photic_format", photic_format);
-  file.add_global("photic_content", "spectra");
-  file.add_global("version", origin.version);
-  file.add_dimension("wavelength", table.wavelength_nm.size());
-  file.add_variable("wavelength_nm", {"wavelength"}, table.wavelength_nm,
-                    {{"standard_name", "radiation_wavelength"},
-                     {"long_name", "wavelength of the light"},
-                     {"units", "nm"}});
+void describe(const SpectralTable& table, const OpticsOrigin& origin, Dataset& dataset) {
+  dataset.add_global("Conventions", "CF-1.10");
+  dataset.add_global("title", LongText{origin.title});
+  dataset.add_global("source", fmt::format("Photic {}: {}", origin.version, table.what));
+  dataset.add_global("history", LongText{origin.history});
+  dataset.add_global("references", LongText{fmt::format("{}", fmt::join(table.sources, "\n"))});
+  dataset.add_global("photic_format", photic_format);
+  dataset.add_global("photic_content", "spectra");
+  dataset.add_global("version", origin.version);
+  dataset.add_dimension("wavelength", table.wavelength_nm.size());
+  dataset.add_variable("wavelength_nm", {"wavelength"}, table.wavelength_nm,
+                       {{"standard_name", "radiation_wavelength"},
+                        {"long_name", "wavelength of the light"},
+                        {"units", "nm"}});
   for (const auto& column : table.columns)
-    file.add_variable(column.name, {"wavelength"}, column.values,
-                      {{"long_name", column.long_name},
-                       {"units", column.units},
-                       {"coordinates", "wavelength_nm"}});
+    dataset.add_variable(column.name, {"wavelength"}, column.values,
+                         {{"long_name", column.long_name},
+                          {"units", column.units},
+                          {"coordinates", "wavelength_nm"}});
   for (const auto& number : table.numbers)
-    file.add_variable(number.name, {}, std::span(&number.value, 1),
-                      {{"long_name", number.long_name}, {"units", number.units}});
-  return file.finish();
+    dataset.add_variable(number.name, {}, std::span(&number.value, 1),
+                         {{"long_name", number.long_name}, {"units", number.units}});
 }
-
-}  // namespace
 
 std::string spectral_csv(const SpectralTable& table, const OpticsOrigin& origin) {
   std::string out = fmt::format("# {}\n# Photic {}, {}\n", one_line(origin.title), origin.version,
@@ -78,12 +69,6 @@ std::string spectral_text(const SpectralTable& table) {
   for (const auto& column : table.columns)
     columns.push_back(text_column(column.heading, column.values, 0, count, "{:.5g}"));
   return side_by_side(columns);
-}
-
-void write_spectral(const SpectralTable& table, const OpticsOrigin& origin,
-                    const std::string& path) {
-  const bool netcdf = std::filesystem::path(path).extension() == ".nc";
-  write_atomically(path, netcdf ? spectral_netcdf(table, origin) : spectral_csv(table, origin));
 }
 
 }  // namespace photic::io

@@ -151,6 +151,10 @@ void check_refraction(const Scene& scene, Findings& findings) {
               max_bent_deg),
           "look down more steeply, or leave atmosphere.refraction out");
   };
+  if (scene.is_of_air_alone() && findings.good({"atmosphere.refraction", "atmosphere.surface"}))
+    return findings.add("atmosphere.refraction",
+                        "plane air above a ground does not bend light: axes are bent over a sea",
+                        "leave it out, or write geometry = \"spherical\"");
   if (scene.source.is_pulsed())
     check("source", scene.source.position_m, scene.source.direction);
   else if (findings.good({"source.kind", "atmosphere.refraction"}))

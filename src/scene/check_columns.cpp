@@ -11,7 +11,7 @@ namespace photic::scene {
 namespace {
 
 /// "sea.column.2.key"
-std::string key_of(std::size_t i, const char* key) {
+std::string key_of_column(std::size_t i, const char* key) {
   return fmt::format("sea.column.{}.{}", i, key);
 }
 
@@ -19,8 +19,8 @@ std::string key_of(std::size_t i, const char* key) {
 void refuse_not_yet(const Scene& scene, Findings& findings) {
   for (std::size_t i = 0; i < scene.sea.column.size(); ++i) {
     const Column& column = scene.sea.column[i];
-    if (column.oil && findings.good({key_of(i, "oil")}))
-      findings.add(key_of(i, "oil"), "a film of oil on one column is not yet simulated",
+    if (column.oil && findings.good({key_of_column(i, "oil")}))
+      findings.add(key_of_column(i, "oil"), "a film of oil on one column is not yet simulated",
                    "leave it out, or give all columns the film: [oil]");
   }
   if (scene.atmosphere && findings.good({"atmosphere"}))
@@ -30,7 +30,7 @@ void refuse_not_yet(const Scene& scene, Findings& findings) {
 
 /// Checks that a column begins where the one before it ends.
 void check_begin(const Column& column, double begin_m, std::size_t i, Findings& findings) {
-  const std::string path = key_of(i, "x_min_m");
+  const std::string path = key_of_column(i, "x_min_m");
   if (!column.x_min_m || !findings.good({path})) return;
   const char* suggestion = "leave x_min_m out: it is for the first column";
   if (*column.x_min_m > begin_m)
@@ -51,8 +51,8 @@ void check_begin(const Column& column, double begin_m, std::size_t i, Findings& 
 void check_faces(const std::vector<Column>& columns, Findings& findings) {
   std::optional<double> begin_m = columns.front().x_min_m;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const std::string path = key_of(i, "x_max_m");
-    if (!findings.good({path, key_of(0, "x_min_m")})) return;
+    const std::string path = key_of_column(i, "x_max_m");
+    if (!findings.good({path, key_of_column(0, "x_min_m")})) return;
     if (i > 0) check_begin(columns[i], *begin_m, i, findings);
     const auto& end_m = columns[i].x_max_m;
     if (!end_m && i + 1 < columns.size())
@@ -98,8 +98,8 @@ void check_depths(const Sea& sea, Findings& findings) {
 /// Results call layers by the names of column and layer, with a stroke between them.
 void check_names(const std::vector<Column>& columns, Findings& findings) {
   for (std::size_t i = 0; i < columns.size(); ++i)
-    if (columns[i].name.find('/') != std::string::npos && findings.good({key_of(i, "name")}))
-      findings.add(key_of(i, "name"), "the name of a column may not have a '/'",
+    if (columns[i].name.find('/') != std::string::npos && findings.good({key_of_column(i, "name")}))
+      findings.add(key_of_column(i, "name"), "the name of a column may not have a '/'",
                    "it stands between column and layer in results: take another letter");
 }
 
@@ -138,7 +138,7 @@ void check_instruments(const Scene& scene, Findings& findings) {
         "give the beam a position_m, or take one column without ends");
 }
 
-void check_simulation(const Scene& scene, Findings& findings) {
+void check_estimator_of_columns(const Scene& scene, Findings& findings) {
   if (scene.simulation.estimator != Estimator::bidirectional ||
       !findings.good({"simulation.estimator"}))
     return;
@@ -157,7 +157,7 @@ void check_columns(const Scene& scene, Findings& findings) {
   check_depths(sea, findings);
   check_names(sea.column, findings);
   check_instruments(scene, findings);
-  check_simulation(scene, findings);
+  check_estimator_of_columns(scene, findings);
   refuse_not_yet(scene, findings);
 }
 

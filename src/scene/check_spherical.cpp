@@ -9,8 +9,9 @@
 namespace photic::scene {
 namespace {
 
-/// Air above a planet that is hardly larger is no thin layer: a unit may be wrong.
-constexpr double least_radius_per_top = 100;
+/// Air above a planet that is hardly larger is no thin layer: a unit may be wrong. The earth's, up
+/// to 100 km, has 64.
+constexpr double least_radius_per_top = 50;
 
 void check_planet(const Scene& scene, Findings& findings) {
   const char* path = "atmosphere.planet_radius_km";
@@ -56,7 +57,7 @@ void check_telescopes(const Scene& scene, Findings& findings) {
                "take geometry = \"plane\", or a [[tally]] in place of telescopes");
 }
 
-void check_tools(const Scene& scene, Findings& findings) {
+void refuse_importance(const Scene& scene, Findings& findings) {
   if (scene.simulation.tools.importance.empty() || !findings.good({"simulation.tools"})) return;
   findings.add("simulation.tools.importance",
                "importances are of depths, which spherical air does not have",
@@ -108,7 +109,7 @@ void check_spherical(const Scene& scene, Findings& findings) {
   check_planet(scene, findings);
   check_ground(scene, findings);
   check_telescopes(scene, findings);
-  check_tools(scene, findings);
+  refuse_importance(scene, findings);
 }
 
 }  // namespace photic::scene

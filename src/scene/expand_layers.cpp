@@ -16,8 +16,6 @@ namespace {
 
 constexpr const char* bottom_key = "bottom_depth_m";
 constexpr const char* name_key = "name";
-constexpr const char* layer_key = "layer";
-constexpr const char* column_key = "column";
 
 std::optional<double> number_of(const Node* node) {
   double value = 0;

@@ -16,8 +16,6 @@ namespace photic::scene {
 namespace {
 
 constexpr const char* table_key = "iop_table";
-constexpr const char* layer_key = "layer";
-constexpr const char* column_key = "column";
 constexpr const char* table_path = "sea.iop_table";
 
 Node at(const Place& place, double value) { return {.value = value, .place = place}; }

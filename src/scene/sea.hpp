@@ -97,6 +97,9 @@ struct Oil {
   friend bool operator==(const Oil&, const Oil&) = default;
 };
 
+/// The keys of [sea] that hold its layers, or its columns.
+inline constexpr const char *layer_key = "layer", *column_key = "column";
+
 /// Water that ends at vertical faces, beside others in a row along x.
 struct Column {
   std::string name;

@@ -66,11 +66,14 @@ REFUSED = {
         'geometry = "spherical"', "below spherical air there is a ground, and no water",
         "write surface = { albedo = 0.1 } into [atmosphere]"),
     "a planet that is too small": (
-        scene_of(air=SPHERICAL + "planet_radius_km = 5000\n"), "planet_radius_km = 5000",
-        "the planet's radius of 5000 km is less than 100 times the top of its air at 60 km", "write at least 6000"),
+        scene_of(air=SPHERICAL + "planet_radius_km = 2000\n"), "planet_radius_km = 2000",
+        "the planet's radius of 2000 km is less than 50 times the top of its air at 60 km", "write at least 3000"),
     "a radius of plane air": (
         scene_of(air="surface = { albedo = 0.1 }\nplanet_radius_km = 6371\n"), "planet_radius_km = 6371",
         "'planet_radius_km'", "plane"),
+    "refraction in plane air above a ground": (
+        scene_of(LASER, air="surface = { albedo = 0.1 }\nrefraction = true\n"), "refraction = true",
+        "plane air above a ground does not bend light", 'write geometry = "spherical"'),
     "zones in plane air": (
         scene_of(SUN, ZONES, "surface = { albedo = 0.1 }\n"), "zone_deg = [0, 60, 90, 180]",
         "there are zones below spherical air alone", 'write geometry = "spherical"'),
@@ -96,7 +99,7 @@ REFUSED = {
         scene_of('kind = "cone"\nposition_m = [1e6, 0, 0]\ndirection = [0, 0, 1]\nhalf_angle_deg = 180\n'),
         "position_m = [1e6, 0, 0]", "above the top of the air at 60000 m", 'kind = "beam"'),
     "bent light of the sun in plane air": (
-        scene_of(SUN, air="surface = { albedo = 0.1 }\nrefraction = true\n"), "refraction = true",
+        scene_of(SUN, air="refraction = true\n", rest="[[sea.layer]]\nchlorophyll_mg_m3 = 1\n"), "refraction = true",
         "in plane air bent light is known along the axes of lasers and telescopes alone",
         'write geometry = "spherical"'),
     "a telescope": (
@@ -169,6 +172,13 @@ def test_zones_are_a_dimension_of_files(photic, tmp_path):
     drawn = photic("plot", "air.nc", "-o", "air.svg")
     assert (drawn.returncode, drawn.stderr) == (0, "")
     assert (tmp_path / "air.svg").stat().st_size > 0
+
+
+# The air of a profile ends at 100 km by default, and the planet is the earth.
+def test_the_defaults_of_air_do_for_the_earth(photic, tmp_path):
+    (tmp_path / "air.toml").write_text(scene_of(SUN, ZONES, SPHERICAL + 'profile = "us-standard"\n', ""))
+    done = photic("check", "air.toml")
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 # The output of show is a scene again.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/netcdf_image.hpp"
+#include "io/dataset.hpp"
 
 namespace photic::io {
 
@@ -17,6 +17,6 @@ struct Flagged {
 };
 
 /// Adds `…converged` and `…convergence_flags`, with their meanings (CF-1.10, section 3.5).
-void add_flags(NetcdfImage& file, const Flagged& of, const std::vector<std::int32_t>& all_flags);
+void add_flags(Dataset& dataset, const Flagged& of, const std::vector<std::int32_t>& all_flags);
 
 }  // namespace photic::io

@@ -1,4 +1,4 @@
-#include "io/netcdf_tallies.hpp"
+#include "io/dataset_tallies.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "io/netcdf_bounds.hpp"
-#include "io/netcdf_flags.hpp"
+#include "io/dataset_bounds.hpp"
+#include "io/dataset_flags.hpp"
 
 namespace photic::io {
 namespace {
@@ -23,25 +23,25 @@ std::string variable_of(const tally::Coordinate& coordinate) {
                                                                      : coordinate.name + end;
 }
 
-void add_cells(NetcdfImage& file, const std::string& dimension, const tally::Coordinate& coordinate,
+void add_cells(Dataset& dataset, const std::string& dimension, const tally::Coordinate& coordinate,
                Attributes attributes) {
   const std::string name_of_bounds = coordinate.name + "_bounds";
   const std::vector<double> pairs = bounds(coordinate.edges);
   attributes.emplace_back("bounds", name_of_bounds);
-  file.add_variable(coordinate.name, {dimension}, centres(pairs), attributes);
-  file.add_variable(name_of_bounds, {dimension, "bnds"}, pairs,
-                    {{"long_name", "ends of the interval"}});
+  dataset.add_variable(coordinate.name, {dimension}, centres(pairs), attributes);
+  dataset.add_variable(name_of_bounds, {dimension, "bnds"}, pairs,
+                       {{"long_name", "ends of the interval"}});
 }
 
-void add_coordinate(NetcdfImage& file, const std::string& dimension,
+void add_coordinate(Dataset& dataset, const std::string& dimension,
                     const tally::Coordinate& coordinate) {
   Attributes attributes{{"long_name", coordinate.long_name}};
   if (coordinate.labels.empty()) attributes.emplace_back("units", coordinate.units);
   for (const auto& [key, value] : coordinate.attributes) attributes.emplace_back(key, value);
-  if (!coordinate.edges.empty()) return add_cells(file, dimension, coordinate, attributes);
+  if (!coordinate.edges.empty()) return add_cells(dataset, dimension, coordinate, attributes);
   const Values values = coordinate.labels.empty() ? Values(std::span(coordinate.values))
                                                   : Values(std::span(coordinate.labels));
-  file.add_variable(variable_of(coordinate), {dimension}, values, attributes);
+  dataset.add_variable(variable_of(coordinate), {dimension}, values, attributes);
 }
 
 bool same(const tally::Coordinate& a, const tally::Coordinate& b) {
@@ -50,7 +50,7 @@ bool same(const tally::Coordinate& a, const tally::Coordinate& b) {
 }
 
 /// Adds the dimensions of all tallies. Those that share one have the same coordinates on it.
-void add_dimensions(NetcdfImage& file, const std::vector<tally::TallyEstimates>& tallies) {
+void add_dimensions(Dataset& dataset, const std::vector<tally::TallyEstimates>& tallies) {
   std::map<std::string, const tally::Dimension*> known;
   for (const tally::TallyEstimates& tally : tallies)
     for (const tally::Dimension& dimension : tally.grid.dimensions) {
@@ -59,9 +59,9 @@ void add_dimensions(NetcdfImage& file, const std::vector<tally::TallyEstimates>&
                  std::ranges::equal(dimension.coordinates, at->second->coordinates, same),
              "the same coordinates wherever tallies share a dimension");
       if (!is_new) continue;
-      file.add_dimension(dimension.name, dimension.size);
+      dataset.add_dimension(dimension.name, dimension.size);
       for (const tally::Coordinate& each : dimension.coordinates)
-        add_coordinate(file, dimension.name, each);
+        add_coordinate(dataset, dimension.name, each);
     }
 }
 
@@ -87,7 +87,7 @@ Attributes attributes_of(const tally::TallyGrid& grid, const std::string& long_n
   return out;
 }
 
-void add_tally(NetcdfImage& file, const tally::TallyEstimates& tally) {
+void add_tally(Dataset& dataset, const tally::TallyEstimates& tally) {
   const std::string& name = tally.grid.name;
   std::vector<std::string> dimensions;
   for (const tally::Dimension& dimension : tally.grid.dimensions)
@@ -97,25 +97,25 @@ void add_tally(NetcdfImage& file, const tally::TallyEstimates& tally) {
   attributes.emplace_back(
       "ancillary_variables",
       fmt::format("{0}_standard_error {0}_converged {0}_convergence_flags", name));
-  file.add_variable(name, dimensions, tally.mean, attributes);
-  file.add_variable(name + "_standard_error", dimensions, tally.standard_error,
-                    attributes_of(tally.grid, "standard error of " + name, coordinates));
-  add_flags(file, {name + "_", tally.grid.long_name, dimensions, coordinates}, tally.flags);
+  dataset.add_variable(name, dimensions, tally.mean, attributes);
+  dataset.add_variable(name + "_standard_error", dimensions, tally.standard_error,
+                       attributes_of(tally.grid, "standard error of " + name, coordinates));
+  add_flags(dataset, {name + "_", tally.grid.long_name, dimensions, coordinates}, tally.flags);
 }
 
 }  // namespace
 
-void add_tallies(NetcdfImage& file, const tally::Result& result) {
+void add_tallies(Dataset& dataset, const tally::Result& result) {
   if (result.source_strength) {
-    file.add_global("source_strength", *result.source_strength);
-    file.add_global("source_strength_units", result.source_strength_units);
+    dataset.add_global("source_strength", *result.source_strength);
+    dataset.add_global("source_strength_units", result.source_strength_units);
   }
   std::vector<tally::TallyEstimates>
       written;  // in air that absorbs nothing there is no constituent
   std::ranges::copy_if(result.tallies, std::back_inserter(written),
                        [](const tally::TallyEstimates& t) { return t.grid.size() > 0; });
-  add_dimensions(file, written);
-  for (const tally::TallyEstimates& tally : written) add_tally(file, tally);
+  add_dimensions(dataset, written);
+  for (const tally::TallyEstimates& tally : written) add_tally(dataset, tally);
 }
 
 }  // namespace photic::io
