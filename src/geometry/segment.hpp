@@ -100,6 +100,15 @@ StraightEnd<T> each_straight_piece(const medium::MediumView& sea, const Segment<
 /// The same of any segment. Returns the light that leaves the row by a side.
 template <class T, class F>
 Mask<T> each_piece(const medium::MediumView& sea, const Segment<T>& s, F f) {
+  // Most ways stay in their column. A point of a lens may be in another one than its centre, whose
+  // layer it has.
+  const Index<T> column = sea.row.template column<T>(s.from.layer);
+  const Mask<T> ends_there =
+      Mask<T>(s.course == Course::to_surface) | (sea.row.template column<T>(s.to.layer) == column);
+  if (all(ends_there & (s.length <= to_face(sea.row, s.ray, column).length))) {
+    f(Mask<T>(true), s);
+    return Mask<T>(false);
+  }
   if (s.course == Course::straight) return each_straight_piece(sea, s, f).sideways;
   Segment<T> up = s;
   up.to = {};

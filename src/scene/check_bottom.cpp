@@ -101,16 +101,16 @@ void check_albedo(const UserTable& table, const std::string& path, Findings& fin
 namespace {
 
 /// The bed at a path, below some layers. `label`: its section.
-void check_bed(const Bottom& bottom, const std::string& path, const char* label, const Pile& pile,
+void check_bed(const Bottom& bottom, const std::string& path, const char* label, const Stack& stack,
                Findings& findings) {
   if (!findings.good({path})) return;
   if (const auto* table = std::get_if<UserTable>(&bottom.albedo))
     check_albedo(*table, below(path, "albedo"), findings);
-  if (pile.layer.empty() || pile.layer.back().bottom_depth_m || !findings.good({"sea"})) return;
+  if (stack.layer.empty() || stack.layer.back().bottom_depth_m || !findings.good({"sea"})) return;
   findings.add(
       path, "the sea has no bed: its last layer is bottomless",
-      fmt::format("give the last [[{}]] its bottom_depth_m{}, or leave {} out", pile.section,
-                  pile.name.empty() ? " (a sea by iop_table has none)" : "", label));
+      fmt::format("give the last [[{}]] its bottom_depth_m{}, or leave {} out", stack.section,
+                  stack.name.empty() ? " (a sea by iop_table has none)" : "", label));
 }
 
 }  // namespace
@@ -121,13 +121,13 @@ bool has_bed(const Scene& scene) {
 }
 
 void check_bottom(const Scene& scene, Findings& findings) {
-  const auto piles = piles_of(scene.sea);
-  if (scene.bottom) check_bed(*scene.bottom, "bottom", "[bottom]", piles.front(), findings);
+  const auto stacks = stacks_of(scene.sea);
+  if (scene.bottom) check_bed(*scene.bottom, "bottom", "[bottom]", stacks.front(), findings);
   for (std::size_t i = 0; i < scene.sea.column.size(); ++i) {
     const auto& bottom = scene.sea.column[i].bottom;
     const std::string path = below(below("sea.column", i), "bottom");
     if (!bottom) continue;
-    check_bed(*bottom, path, "[sea.column.bottom]", piles[i], findings);
+    check_bed(*bottom, path, "[sea.column.bottom]", stacks[i], findings);
     if (scene.bottom && findings.good({path}))
       findings.add(path, "[bottom] is the bed of all columns, and this is that of one",
                    "keep one of them");

@@ -82,13 +82,13 @@ std::string end_of(const std::optional<double>& bottom_m) {
 
 /// The depth of the bed is the same everywhere.
 void check_depths(const Sea& sea, Findings& findings) {
-  const auto piles = piles_of(sea);
-  for (const Pile& pile : piles) {
-    if (pile.layer.empty() || !findings.good({pile.path, piles.front().path})) return;
-    const auto& bed = piles.front().layer.back().bottom_depth_m;
-    const auto& here = pile.layer.back().bottom_depth_m;
+  const auto stacks = stacks_of(sea);
+  for (const Stack& stack : stacks) {
+    if (stack.layer.empty() || !findings.good({stack.path, stacks.front().path})) return;
+    const auto& bed = stacks.front().layer.back().bottom_depth_m;
+    const auto& here = stack.layer.back().bottom_depth_m;
     if (here == bed) continue;
-    findings.add(below(below(pile.path, pile.layer.size() - 1), "bottom_depth_m"),
+    findings.add(below(below(stack.path, stack.layer.size() - 1), "bottom_depth_m"),
                  fmt::format("the column {}, and the first one {}: a stair of beds is no slope",
                              end_of(here), end_of(bed)),
                  "end all columns at the same depth, or none of them");

@@ -187,8 +187,8 @@ void check_instrument(const Scene& scene, Findings& findings) {
   check_names(scene.telescope, "telescope", "telescope", findings);
   check_names(scene.channel, "channel", "channel", findings);
   check_names(scene.sea.column, "sea.column", "sea.column", findings);
-  for (const Pile& pile : piles_of(scene.sea))
-    check_names(pile.layer, pile.path, pile.section, findings);
+  for (const Stack& stack : stacks_of(scene.sea))
+    check_names(stack.layer, stack.path, stack.section, findings);
   check_names(scene.environment, "environment", "environment", findings);
 }
 

@@ -15,15 +15,15 @@
 namespace photic::scene {
 namespace {
 
-void check_depths(const Pile& pile, Findings& findings) {
-  const std::vector<Layer>& layers = pile.layer;
+void check_depths(const Stack& stack, Findings& findings) {
+  const std::vector<Layer>& layers = stack.layer;
   double top = 0.0;
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    const std::string path = below(below(pile.path, i), "bottom_depth_m");
+    const std::string path = below(below(stack.path, i), "bottom_depth_m");
     if (!findings.good({path})) continue;
     const auto& bottom = layers[i].bottom_depth_m;
     if (!bottom && i + 1 < layers.size())
-      findings.add(path, fmt::format("'bottom_depth_m' is missing in [[{}]]", pile.section),
+      findings.add(path, fmt::format("'bottom_depth_m' is missing in [[{}]]", stack.section),
                    "only the last layer may be bottomless");
     if (bottom && *bottom <= top)
       findings.add(
@@ -92,13 +92,13 @@ void check_phase_source(const Layer& layer, const std::string& layer_path,
                  std::string("add it: ") + phase_function_meaning);
 }
 
-void check_iop(const Pile& pile, std::size_t i, Findings& findings) {
-  const Layer& layer = pile.layer[i];
-  const std::string path = below(below(pile.path, i), "iop");
+void check_iop(const Stack& stack, std::size_t i, Findings& findings) {
+  const Layer& layer = stack.layer[i];
+  const std::string path = below(below(stack.path, i), "iop");
   if (layer.iop.empty() || !findings.good({path})) return;
   for (std::size_t k = 0; k < layer.iop.size(); ++k)
     check_iop_entry(layer, k, below(path, k), findings);
-  check_phase_source(layer, below(pile.path, i), pile.section, findings);
+  check_phase_source(layer, below(stack.path, i), stack.section, findings);
 }
 
 void check_mixture(const PhaseFunction& mixture, const std::string& path, Findings& findings) {
@@ -171,16 +171,16 @@ void remark_plenty(const std::vector<PlacedLayer>& layers, const Plenty& plenty,
 }  // namespace
 
 std::optional<double> sea_bed_m(const Scene& scene, const Findings& findings) {
-  const Pile pile = piles_of(scene.sea).front();  // the others have the same bed
-  if (pile.layer.empty()) return std::nullopt;
-  const std::string path = below(below(pile.path, pile.layer.size() - 1), "bottom_depth_m");
-  return findings.good({path}) ? pile.layer.back().bottom_depth_m : std::nullopt;
+  const Stack stack = stacks_of(scene.sea).front();  // the others have the same bed
+  if (stack.layer.empty()) return std::nullopt;
+  const std::string path = below(below(stack.path, stack.layer.size() - 1), "bottom_depth_m");
+  return findings.good({path}) ? stack.layer.back().bottom_depth_m : std::nullopt;
 }
 
 void check_sea(const Scene& scene, Findings& findings) {
-  for (const Pile& pile : piles_of(scene.sea)) {
-    check_depths(pile, findings);
-    for (std::size_t i = 0; i < pile.layer.size(); ++i) check_iop(pile, i, findings);
+  for (const Stack& stack : stacks_of(scene.sea)) {
+    check_depths(stack, findings);
+    for (std::size_t i = 0; i < stack.layer.size(); ++i) check_iop(stack, i, findings);
   }
   const auto layers = layers_of(scene.sea);
   for (const PlacedLayer& at : layers)

@@ -73,10 +73,10 @@ struct Extent {
   double from, to;
 };
 
-std::vector<Extent> extents_of(const Pile& pile) {
+std::vector<Extent> extents_of(const Stack& stack) {
   std::vector<Extent> out;
   double top = 0;
-  for (const Layer& layer : pile.layer) {
+  for (const Layer& layer : stack.layer) {
     if (!layer.bottom_depth_m) break;
     out.push_back({top, *layer.bottom_depth_m});
     top = *layer.bottom_depth_m;
@@ -120,9 +120,9 @@ void check_irradiance(const Scene& scene, std::size_t i, Findings& findings) {
   const Tally& tally = scene.tally[i];
   const std::string slab = key_of(i, "slab_m");
   if (!tally.slab_m || !findings.good({slab, key_of(i, "depth_m"), key_of(i, "height_m")})) return;
-  for (const Pile& pile : piles_of(scene.sea))
-    if (findings.good({pile.path, slab}))
-      check_slab(*tally.slab_m, tally.depth_m, extents_of(pile), slab, findings);
+  for (const Stack& stack : stacks_of(scene.sea))
+    if (findings.good({stack.path, slab}))
+      check_slab(*tally.slab_m, tally.depth_m, extents_of(stack), slab, findings);
   if (findings.good({"atmosphere.layer", slab}))
     check_slab(*tally.slab_m, tally.height_m, extents_of_air(scene), slab, findings);
 }

@@ -37,7 +37,7 @@ void set_number(Node& table, const std::string& key, double value) {
   set(table, key, {.value = value, .place = old ? old->place : table.place});
 }
 
-/// Takes the layers of a pile one by one, and says what they become.
+/// Takes the layers of a stack one by one, and says what they become.
 class LayerExpander {
  public:
   /// `path`: of the layers.
@@ -225,7 +225,7 @@ Node::Array* tables_in(Node* node) {
 }
 
 /// The layers of a sea or a column in the document, and what they become.
-struct ExpandedPile {
+struct ExpandedStack {
   Node::Array* layers = nullptr;  ///< null: what is there is refused where it is read
   std::string path;               ///< "sea.layer", "sea.column.0.layer"
   Node::Array before = {};        ///< the layers as the file has them
@@ -233,8 +233,8 @@ struct ExpandedPile {
 };
 
 /// Those of the sea, if it has any, and those of each of its columns.
-std::vector<ExpandedPile> piles_in(Node& sea) {
-  std::vector<ExpandedPile> out;
+std::vector<ExpandedStack> stacks_in(Node& sea) {
+  std::vector<ExpandedStack> out;
   if (Node* layers = sea.find(layer_key)) out.push_back({tables_in(layers), "sea.layer"});
   auto* columns = tables_in(sea.find(column_key));
   for (std::size_t i = 0; columns && i < columns->size(); ++i)
@@ -243,21 +243,21 @@ std::vector<ExpandedPile> piles_in(Node& sea) {
   return out;
 }
 
-/// Makes the layers of a pile homogeneous.
-void expand(ExpandedPile& pile, const OtherFiles& files, double tolerance, const Cuts* scene_cuts,
+/// Makes the layers of a stack homogeneous.
+void expand(ExpandedStack& stack, const OtherFiles& files, double tolerance, const Cuts* scene_cuts,
             Findings& findings) {
-  if (!pile.layers) return;
-  pile.before = *pile.layers;
-  LayerExpander expander(pile.before, pile.path, files, tolerance, scene_cuts, findings);
-  for (std::size_t i = 0; i < pile.before.size(); ++i) expander.expand(i);
+  if (!stack.layers) return;
+  stack.before = *stack.layers;
+  LayerExpander expander(stack.before, stack.path, files, tolerance, scene_cuts, findings);
+  for (std::size_t i = 0; i < stack.before.size(); ++i) expander.expand(i);
   expander.name_layers();
-  pile.cuts = std::move(expander.cuts);
-  *pile.layers = std::move(expander.out);
+  stack.cuts = std::move(expander.cuts);
+  *stack.layers = std::move(expander.out);
 }
 
 /// The layers that a path goes through: "sea.layer", or, by the name or the number of a column,
 /// "sea.column.0.layer".
-std::optional<std::string> pile_of(const std::vector<std::string>& parts, Node& sea) {
+std::optional<std::string> stack_of(const std::vector<std::string>& parts, Node& sea) {
   if (parts.size() > 3 && parts[0] == "sea" && parts[1] == layer_key) return "sea.layer";
   if (parts.size() < 6 || parts[0] != "sea" || parts[1] != column_key || parts[3] != layer_key)
     return std::nullopt;
@@ -267,33 +267,33 @@ std::optional<std::string> pile_of(const std::vector<std::string>& parts, Node& 
   return below(below(below("sea", column_key), *i), layer_key);
 }
 
-/// The path of a parameter where its layers are now; nothing if it is in none of the pile's, or in
+/// The path of a parameter where its layers are now; nothing if it is in none of the stack's, or in
 /// a layer that has been cut, which is refused at a place.
-std::optional<std::string> moved(const std::string& path, const ExpandedPile& pile,
+std::optional<std::string> moved(const std::string& path, const ExpandedStack& stack,
                                  const std::string& refused, const Place& place,
                                  Findings& findings) {
   const auto parts = components(path);
-  const std::size_t at = components(pile.path).size();
-  const auto i = element_called(pile.before, parts[at], layer_key);
+  const std::size_t at = components(stack.path).size();
+  const auto i = element_called(stack.before, parts[at], layer_key);
   if (!i) return std::nullopt;
-  if (pile.cuts[*i].size() > 1) {
+  if (stack.cuts[*i].size() > 1) {
     findings.add(refused, place,
                  fmt::format("'{}' is in a layer that its profiles cut into {}: it has no single "
                              "value for a derivative",
-                             path, pile.cuts[*i].size()),
+                             path, stack.cuts[*i].size()),
                  "compare environments, or take the derivative in the scene that `photic show` "
                  "writes");
     return std::nullopt;
   }
   std::size_t now = 0;
-  for (std::size_t k = 0; k < *i; ++k) now += std::max<std::size_t>(pile.cuts[k].size(), 1);
-  std::string out = below(pile.path, now);
+  for (std::size_t k = 0; k < *i; ++k) now += std::max<std::size_t>(stack.cuts[k].size(), 1);
+  std::string out = below(stack.path, now);
   for (std::size_t p = at + 1; p < parts.size(); ++p) out = below(out, parts[p]);
   return out;
 }
 
 /// Derivatives are with respect to values of the layers that there are now.
-void move_sensitivities(Node& document, const std::vector<ExpandedPile>& piles,
+void move_sensitivities(Node& document, const std::vector<ExpandedStack>& stacks,
                         Findings& findings) {
   Node* sensitivity = document.find("sensitivity");
   auto* elements = sensitivity ? sensitivity->as<Node::Array>() : nullptr;
@@ -301,11 +301,11 @@ void move_sensitivities(Node& document, const std::vector<ExpandedPile>& piles,
   for (std::size_t s = 0; s < elements->size(); ++s) {
     auto* path = (*elements)[s].as<std::string>();
     if (!path) continue;
-    const auto through = pile_of(components(*path), *document.find("sea"));
-    const auto pile = std::ranges::find(piles, through.value_or(""), &ExpandedPile::path);
-    if (pile == piles.end() || !pile->layers || pile->layers->size() == pile->before.size())
+    const auto through = stack_of(components(*path), *document.find("sea"));
+    const auto stack = std::ranges::find(stacks, through.value_or(""), &ExpandedStack::path);
+    if (stack == stacks.end() || !stack->layers || stack->layers->size() == stack->before.size())
       continue;
-    if (auto now = moved(*path, *pile, below("sensitivity", s), (*elements)[s].place, findings))
+    if (auto now = moved(*path, *stack, below("sensitivity", s), (*elements)[s].place, findings))
       *path = std::move(*now);
   }
 }
@@ -318,14 +318,14 @@ std::vector<Cuts> expand_layers(Node& document, const OtherFiles& files,
   Node* sea = document.find("sea");
   if (!sea || !sea->as<Node::Table>()) return {};
   const double tolerance = tolerance_of(*sea, findings);
-  std::vector<ExpandedPile> piles = piles_in(*sea);
-  for (std::size_t i = 0; i < piles.size(); ++i) {
-    const bool known = scene_cuts && scene_cuts->size() == piles.size();
-    expand(piles[i], files, tolerance, known ? &(*scene_cuts)[i] : nullptr, findings);
+  std::vector<ExpandedStack> stacks = stacks_in(*sea);
+  for (std::size_t i = 0; i < stacks.size(); ++i) {
+    const bool known = scene_cuts && scene_cuts->size() == stacks.size();
+    expand(stacks[i], files, tolerance, known ? &(*scene_cuts)[i] : nullptr, findings);
   }
-  move_sensitivities(document, piles, findings);
+  move_sensitivities(document, stacks, findings);
   std::vector<Cuts> cuts;
-  for (ExpandedPile& pile : piles) cuts.push_back(std::move(pile.cuts));
+  for (ExpandedStack& stack : stacks) cuts.push_back(std::move(stack.cuts));
   return cuts;
 }
 

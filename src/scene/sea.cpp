@@ -34,9 +34,9 @@ bool Sea::ends() const {
   return !column.empty() && (column.front().x_min_m || column.back().x_max_m || y_min_m || y_max_m);
 }
 
-std::vector<Pile> piles_of(const Sea& sea) {
+std::vector<Stack> stacks_of(const Sea& sea) {
   if (sea.column.empty()) return {{sea.layer, "sea.layer", "sea.layer", ""}};
-  std::vector<Pile> out;
+  std::vector<Stack> out;
   for (const Column& column : sea.column)
     out.push_back({column.layer, fmt::format("sea.column.{}.layer", out.size()), "sea.column.layer",
                    column.name});
@@ -55,12 +55,12 @@ std::vector<PlacedBed> beds_of(const Sea& sea, const std::optional<Bottom>& of_a
 
 std::vector<PlacedLayer> layers_of(const Sea& sea) {
   std::vector<PlacedLayer> out;
-  for (const Pile& pile : piles_of(sea)) {
+  for (const Stack& stack : stacks_of(sea)) {
     double top_m = 0;
-    for (std::size_t i = 0; i < pile.layer.size(); ++i) {
-      const Layer& layer = pile.layer[i];
-      out.push_back({layer, fmt::format("{}.{}", pile.path, i),
-                     (pile.name.empty() ? "" : pile.name + '/') + layer.name, top_m});
+    for (std::size_t i = 0; i < stack.layer.size(); ++i) {
+      const Layer& layer = stack.layer[i];
+      out.push_back({layer, fmt::format("{}.{}", stack.path, i),
+                     (stack.name.empty() ? "" : stack.name + '/') + layer.name, top_m});
       top_m = layer.bottom_depth_m.value_or(top_m);
     }
   }

@@ -127,15 +127,15 @@ struct Sea {
 };
 
 /// Layers from the surface down to the bed: those of the sea, or those of one of its columns.
-struct Pile {
+struct Stack {
   const std::vector<Layer>& layer;
   std::string path;     ///< of the layers, as of --set: "sea.layer", "sea.column.1.layer"
   std::string section;  ///< "sea.layer", "sea.column.layer"
   std::string name;     ///< of the column; "" where there are none
 };
 
-/// All piles of a sea, column after column: at least one.
-[[nodiscard]] std::vector<Pile> piles_of(const Sea& sea);
+/// All stacks of a sea, column after column: at least one.
+[[nodiscard]] std::vector<Stack> stacks_of(const Sea& sea);
 
 /// The bed of the sea, or of one of its columns.
 struct PlacedBed {

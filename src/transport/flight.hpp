@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "core/elementary.hpp"
 #include "geometry/free_paths.hpp"
@@ -141,11 +142,13 @@ PHOTIC_APART FlightEnd<T> fly_through_columns(const geometry::Slabs& sea, Photon
   const geometry::Ray<T> ray{photon.position, photon.direction};
   const Index<T> first = sea.row.template column<T>(photon.layer);
   FlightEnd<T> out{Mask<T>(false), Mask<T>(false)};
+  bool has_passed = false;
   const auto fly_in = [&](const geometry::InColumn<T>& piece) {
     Photon<T> there = photon;
-    there.layer =
-        geometry::level_in(sea, piece.column, there.layer, geometry::depth_of(there.position))
-            .layer;
+    if (std::exchange(has_passed, true)) {
+      const T depth = geometry::depth_of(there.position);
+      there.layer = geometry::level_in(sea, piece.column, there.layer, depth).layer;
+    }
     Photon<T> passing = there;
     const auto from = flight_start(sea, there);
     const FlightEnd<T> end = fly_in_column(sea, there, from, free_path);

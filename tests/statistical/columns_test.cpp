@@ -141,11 +141,12 @@ TEST(Columns, ThatAreAlikeAreASea) {
     return "[[sea" + name + ".layer]]\nbottom_depth_m = 1.0\n" + scattering(0.1, 0.3, 0.5) +
            "[[sea" + name + ".layer]]\nbottom_depth_m = 3.0\nchlorophyll_mg_m3 = 5.0\n";
   };
-  const auto scene = [&](const std::string& sea, std::uint64_t seed) {
-    return run_in_lanes(
-        read(lidar_over(0) + with_raman + five_gates + sea + shallow_bed + simulation(2e5, seed)));
-  };
-  for (const auto& surface : {flat, waves}) {
+  const std::pair<std::string, std::string> surfaces[] = {{flat, ""}, {waves, ""}, {flat, film(2)}};
+  for (const auto& [surface, oil] : surfaces) {
+    const auto scene = [&](const std::string& sea, std::uint64_t seed) {
+      return run_in_lanes(read(lidar_over(0) + with_raman + five_gates + sea + shallow_bed + oil +
+                               simulation(2e5, seed)));
+    };
     const auto plain = scene(sea_with(surface) + layers(""), 1);
     const auto one = scene(sea_with(surface) + column("", layers(".column")), 1);
     EXPECT_EQ(plain.echo.mean, one.echo.mean);
@@ -155,7 +156,7 @@ TEST(Columns, ThatAreAlikeAreASea) {
                                  column("x_max_m = 0.6\n", layers(".column")) +
                                  column("x_max_m = 1000.0\n", layers(".column")),
                              2);
-    expect_same_light(plain, three, fmt::format("three alike, {}", surface), 0.06, 10);
+    expect_same_light(plain, three, fmt::format("three alike, {} {}", surface, oil), 0.06, 10);
   }
 }
 
