@@ -51,7 +51,7 @@ def test_layers_without_columns_keep_their_csv(photic, scene, tmp_path):
 
 
 def test_the_scene_is_shown_with_its_columns(photic, plume, tmp_path):
-    # Seen red: with the columns left out by the writer.
+    # Seen red: with columns left out of what is written.
     done = photic("show", "plume.toml")
     assert (done.returncode, done.stderr) == (0, "")
     assert '\n[[sea.column]]\nname = "clean"\nx_max_m = 1.0\n\n[[sea.column.layer]]\nname = "shelf"\n' in done.stdout
@@ -60,7 +60,7 @@ def test_the_scene_is_shown_with_its_columns(photic, plume, tmp_path):
 
 
 def test_paths_go_through_columns(photic, plume):
-    # Seen red: with the columns left out of the schema.
+    # Seen red: with columns left out of what is written.
     done = photic("show", "plume.toml", "--json", "--set", "sea.column.plume.layer.river.minerals_g_m3=8")
     assert json.loads(done.stdout)["sea"]["column"][1]["layer"][0]["minerals_g_m3"] == 8
     done = photic("complete", "--", "run", "--set", "sea.column.1.layer.0.miner")
@@ -71,7 +71,7 @@ def test_paths_go_through_columns(photic, plume):
 
 
 def test_the_estimators_that_know_no_columns(photic, plume):
-    # Seen red: without the check; with the suggestion for waves.
+    # Seen red: with the suggestion for waves.
     done = photic("check", "plume.toml", "--set", "simulation.estimator=bidirectional")
     assert (done.returncode, done.stdout) == (2, "")
     assert "the bidirectional estimator cannot treat columns of water: five of its seven" in done.stderr

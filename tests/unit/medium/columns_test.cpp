@@ -55,8 +55,8 @@ std::vector<scene::Override> all_light_in(const std::string& path) {
   return out;
 }
 
-// To the last bit. Seen red: with the layers of columns in reverse order; with the default names of
-// layers without their column.
+// To the last bit. Seen red: with the names of layers without their column; with lower edges in
+// `top`.
 TEST(Columns, OneIsTheSeaWithoutThem) {
   const Medium sea = medium_of(scene::read_text(edited({}), all_light_in("layer")));
   const Medium one = medium_of(scene::read_text(in_one_column(), all_light_in("column.0.layer")));
@@ -69,7 +69,7 @@ TEST(Columns, OneIsTheSeaWithoutThem) {
   EXPECT_EQ(one.absorbers.layer, (Texts{"column0/layer0", "column0/layer1"}));
 }
 
-// Seen red: with a face for each column alone; with the bed of each column in `top`.
+// Seen red: with a face for each column alone; with lower edges in `top`.
 TEST(Columns, FollowEachOtherInEveryTable) {
   const Medium row = medium_of(scene::read_text(scene::row_scene()));
   EXPECT_EQ(row.row.columns(), 2);
@@ -98,7 +98,7 @@ TEST(Columns, MayHaveNoEndsAndNoBed) {
   EXPECT_EQ(row.top.back(), infinity);
 }
 
-// Seen red: with the profiles of columns left out.
+// Seen red: with one layer of each column counted in `first_layer`.
 TEST(Columns, HaveProfiles) {
   const std::string ramp = "chlorophyll_mg_m3 = { depth_m = [0, 20], value = [0.2, 1.0] }";
   const Medium sea = medium_of(scene::read_text(edited({{22, 22, ramp}, {23, 25, ""}})));
@@ -122,7 +122,7 @@ TEST(Columns, AreInTheTableOfOptics) {
   EXPECT_EQ(table.a_per_m[2], 0.06);
 }
 
-// Seen red: with the name of the layer alone; with the paths of a sea without columns.
+// Seen red: with the name of the layer alone, in each of the two texts.
 TEST(Columns, AreNamedInWhatTheOpticsRefuse) {
   EXPECT_EQ(
       scene::diagnostics_of(scene::row_text(), {"source.wavelength_nm=550"}, check),
