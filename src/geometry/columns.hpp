@@ -43,8 +43,9 @@ ToFace<T> to_face(const medium::RowView& row, const Ray<T>& ray, const Index<T>&
   return {select(side < face, side, face), side < face, step + step - Index<T>(1)};
 }
 
-/// Calls f(piece) for the pieces of rays, so long, in each column that they come through, beginning
-/// in a column: in their order. It returns which of them go on. Returns which have left the row.
+/// Calls f(piece) for the pieces of rays, so long, in each column that they come through, in their
+/// order from the first column on. f returns the rays that go on. Returns those that have left the
+/// row.
 template <class T, class F>
 Mask<T> each_column(const medium::RowView& row, const Ray<T>& ray, const Index<T>& first,
                     const T& length, const Mask<T>& exist, F f) {

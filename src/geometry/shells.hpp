@@ -1,7 +1,7 @@
 // Light in spherical air: the spheres that a ray meets one after the other, in the plane that the
 // ray and the planet's centre lie in. Heights keep their digits however large the planet is, since
 // spheres differ by (H - h)(2R + h + H) and not by squares of radii; at a sphere the height is set
-// to the sphere's (docs/theory.md, section 18).
+// to the sphere's (docs/theory.md, section 19).
 #pragma once
 
 #include <algorithm>
