@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/dataset.hpp"
+#include "io/netcdf_lock.hpp"
 
 namespace photic::io {
 
@@ -37,6 +38,7 @@ class NetcdfImage : public Dataset {
  private:
   void put_attribute(int variable, const std::string& name, const AttributeValue& value);
 
+  NetcdfLock lock_;
   int file_ = -1, group_ = -1;
   std::map<std::string, std::pair<int, std::size_t>> dimensions_;  ///< name: id, size
 };

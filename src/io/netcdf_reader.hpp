@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "io/netcdf_lock.hpp"
+
 namespace photic::io {
 
 class NetcdfReader {
@@ -63,6 +65,7 @@ class NetcdfReader {
   [[nodiscard]] std::vector<std::size_t> lengths_of(int variable) const;
   void check(int status, const std::string& name) const;
 
+  NetcdfLock lock_;
   std::string path_, wanted_;
   int file_ = -1, group_ = -1;
 };
