@@ -15,6 +15,7 @@ OPEN = {"hatch": "////", "facecolor": "white", "linewidth": 1}  # bars that have
 OPEN_LABEL = "open, hatched: not converged"
 FADED = {"markerfacecolor": "white", "alpha": panels.FADED}
 ABSORBED_HEIGHT = 0.7  # of the bar of a layer, over the distance of two
+MOST_LAYERS = 20  # whose names have room beside each other
 
 
 @dataclass(frozen=True)
@@ -115,8 +116,11 @@ def absorbed(one, layers, colours, panel):
             panel.barh(*parts, left=left[chosen], **look)
         left += one.values[:, k]
     panel.set_ylim(len(layers) - 0.5, -0.5)
-    panel.set_yticks(place, [text(layer) for layer in layers])
+    every = -(-len(layers) // MOST_LAYERS)
+    panel.set_yticks(place[::every], [text(layer) for layer in layers[::every]])
     panel.set_xlim(left=0)
+    panel.locator_params(axis="x", nbins=5)
+    panel.ticklabel_format(axis="x", scilimits=(-3, 4))
     panel.set_xlabel(one.unit)
     panels.grid(panel)
 
