@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/error.hpp"
 #include "estimator/model.hpp"
 #include "io/netcdf_variable.hpp"
 #include "io/table_parts.hpp"
@@ -240,6 +241,11 @@ int run(const BenchCommand& command) {
   const scene::Reading reading = scene::read_scene(command.scene, command.overrides,
                                                    estimator::optics_check(), io::netcdf_files());
   for (const std::string& remark : reading.remarks) print_warning(remark + '\n');
+  if (reading.scene.telescope.empty())
+    throw InputError(
+        {{.file = command.scene,
+          .reason = "bench compares estimators by echoes, and there is no telescope",
+          .suggestion = "add a [[telescope]]; what tallies cost, `photic run` reports"}});
   run::BenchOptions options;
   options.time_s = command.time_s;
   options.threads = command.threads;

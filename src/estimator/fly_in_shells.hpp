@@ -52,6 +52,10 @@ transport::FlightEnd<T> fly_in_shells(const World<T>& world, Track<T>& t, const 
     out.sea_bed = flight.end == transport::ShellEnd::ground && world.slabs.bed_angles == 0;
     if (out.sea_bed) legs.end_on_ground(t.photon.weight);
     if (flight.end == transport::ShellEnd::top) escape(up(t.photon));
+    if (flight.end == transport::ShellEnd::lost) {
+      tally.too_many_events += count(t.on);
+      book_out(t, t.on, ledger.lost);
+    }
   }
   return out;
 }

@@ -95,8 +95,13 @@ void check_depths(const Sea& sea, Findings& findings) {
   }
 }
 
-/// Results call layers by the names of column and layer, with a stroke between them.
+/// Results call layers by the names of column and layer, with a stroke between them; paths by
+/// numbers and names, with points between them.
 void check_names(const std::vector<Column>& columns, Findings& findings) {
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (columns[i].name.find('.') != std::string::npos && findings.good({key_of_column(i, "name")}))
+      findings.add(key_of_column(i, "name"), "the name of a column may not have a '.'",
+                   "it stands between the keys of paths: take another letter");
   for (std::size_t i = 0; i < columns.size(); ++i)
     if (columns[i].name.find('/') != std::string::npos && findings.good({key_of_column(i, "name")}))
       findings.add(key_of_column(i, "name"), "the name of a column may not have a '/'",
@@ -147,6 +152,39 @@ void check_estimator_of_columns(const Scene& scene, Findings& findings) {
                "write estimator = \"forward\", or take [[sea.layer]] in place of [[sea.column]]");
 }
 
+/// A lens looks at a point through different columns, of which the mean over it takes one.
+void check_reception_over_columns(const Scene& scene, Findings& findings) {
+  if (scene.simulation.reception != Reception::overlap || scene.sea.is_alike_everywhere() ||
+      !findings.good({"simulation.reception"}))
+    return;
+  findings.add("simulation.reception",
+               "light comes to the points of a lens through different columns: the mean over the "
+               "lens is not known",
+               "write reception = \"ray\"");
+}
+
+/// Remarks on light straight from above that misses the row.
+void remark_on_missed_row(const Scene& scene, Findings& findings) {
+  const Source& source = scene.source;
+  if (source.is_everywhere || source.fills_cone() || source.position_m.z < 0 ||
+      source.direction.z >= 0 || !findings.good({"source", "sea.column"}))
+    return;
+  const Vec3<double> there =
+      source.position_m + source.position_m.z / -source.direction.z * source.direction;
+  const auto within = [](const std::optional<double>& from, double place,
+                         const std::optional<double>& to) {
+    return !(from && place < *from) && !(to && place > *to);
+  };
+  const Sea& sea = scene.sea;
+  if (within(sea.column.front().x_min_m, there.x, sea.column.back().x_max_m) &&
+      within(sea.y_min_m, there.y, sea.y_max_m))
+    return;
+  findings.remark("source.position_m",
+                  fmt::format("the source's axis meets the sea level at x = {:.6g}, y = {:.6g} m, "
+                              "beside the row of columns, where there is no sea",
+                              there.x, there.y));
+}
+
 }  // namespace
 
 void check_columns(const Scene& scene, Findings& findings) {
@@ -158,6 +196,8 @@ void check_columns(const Scene& scene, Findings& findings) {
   check_names(sea.column, findings);
   check_instruments(scene, findings);
   check_estimator_of_columns(scene, findings);
+  check_reception_over_columns(scene, findings);
+  remark_on_missed_row(scene, findings);
   refuse_not_yet(scene, findings);
 }
 

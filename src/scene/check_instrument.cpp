@@ -73,12 +73,27 @@ void check_wings(const Source& source, Findings& findings) {
                            plain_number(std::floor(widest_mrad))));
 }
 
+/// All light of a disc sets out on one side of the surface.
+void check_rim(const Source& source, Findings& findings) {
+  if (!findings.good({"source.position_m", "source.direction", "source.diameter_m"})) return;
+  const Vec3<double> axis = normalised(source.direction);
+  const double rise = source.diameter_m / 2 * std::hypot(axis.x, axis.y);
+  const double z = source.position_m.z;
+  if (z == 0 || std::abs(z) >= rise) return;
+  findings.add("source.diameter_m",
+               fmt::format("the laser's disc reaches {} m above and below its centre, and through "
+                           "the sea surface",
+                           plain_number(rise)),
+               "make it smaller, or move it farther from the surface");
+}
+
 void check_laser(const Scene& scene, Findings& findings) {
   const Source& source = scene.source;
   check_wings(source, findings);
   remark_size("source.diameter_m", source.diameter_m, findings);
   check_height("source.position_m", "source", source.position_m, scene, findings);
   if (!findings.good({"source.position_m", "source.direction"}) || scene.is_of_air_alone()) return;
+  check_rim(source, findings);
   if (source.position_m.z > 0.0 && source.direction.z >= 0.0)
     findings.add("source.direction",
                  "the light never meets the sea: a source in the air must point down",

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "scene/checks.hpp"
@@ -84,6 +85,33 @@ void check_zones(const Scene& scene, std::size_t i, Findings& findings) {
                  "add the edges of zones, as zone_deg = [0, 30, 60, 90, 180]");
 }
 
+/// Areas of narrower zones are lost in rounding.
+void check_width_of_zones(const Scene& scene, std::size_t i, Findings& findings) {
+  constexpr double least_deg = 1e-3;
+  const std::string path = fmt::format("tally.{}.zone_deg", i);
+  const auto& zones = scene.tally[i].zone_deg;
+  if (!findings.good({path})) return;
+  for (std::size_t k = 1; k < zones.size(); ++k)
+    if (zones[k] > zones[k - 1] && zones[k] - zones[k - 1] < least_deg)
+      return findings.add(
+          below(path, k),
+          fmt::format("the zone from {} to {} degrees is narrower than {:g} degrees",
+                      plain_number(zones[k - 1]), plain_number(zones[k]), least_deg),
+          "make it wider: hardly any light comes to it");
+}
+
+/// Light from farther away would be at the air only to within its rounding.
+void check_distance(const Scene& scene, Findings& findings) {
+  constexpr double farthest_m = 1e12;
+  const auto& at = scene.source.position_m;
+  if (scene.source.is_everywhere || !findings.good({"source.position_m"})) return;
+  if (std::hypot(at.x, at.y, at.z) > farthest_m)
+    findings.add("source.position_m",
+                 fmt::format("the source is more than {:g} m away from the ground", farthest_m),
+                 "move it along its direction, or leave position_m of a beam out: it is as wide as "
+                 "the planet then");
+}
+
 /// Quantities of planes and of cylinders.
 void refuse_plane_tally(const Scene& scene, std::size_t i, Findings& findings) {
   if (!scene.is_of_spherical_air() || !findings.good({"atmosphere.geometry"})) return;
@@ -100,13 +128,17 @@ void check_spherical(const Scene& scene, Findings& findings) {
   for (std::size_t i = 0; i < scene.tally.size(); ++i) {
     if (!findings.good({fmt::format("tally.{}.kind", i)})) continue;
     const TallyKind kind = scene.tally[i].kind;
-    if (kind == TallyKind::irradiance) check_zones(scene, i, findings);
+    if (kind == TallyKind::irradiance) {
+      check_zones(scene, i, findings);
+      check_width_of_zones(scene, i, findings);
+    }
     if (kind == TallyKind::radiance || kind == TallyKind::fluence)
       refuse_plane_tally(scene, i, findings);
   }
   refuse_sea_below_planes(scene, findings);
   if (!scene.is_of_spherical_air()) return;
   check_planet(scene, findings);
+  check_distance(scene, findings);
   check_ground(scene, findings);
   check_telescopes(scene, findings);
   refuse_importance(scene, findings);

@@ -115,7 +115,11 @@ void describe(V& v, Atmosphere& a) {
       "water then being relative to the air at the sea; in spherical air all light");
   v.optional(expert("geometry"), a.geometry, ChoiceOf<AirGeometry>{}, "the shape of the air");
   v.when("geometry", a.geometry, AirGeometry::spherical, [&](auto& w) {
-    w.optional(expert("planet_radius_km"), a.planet_radius_km, positive,
+    w.optional(expert("planet_radius_km"), a.planet_radius_km,
+               Number{.low = 0.0,
+                      .high = 1e9,
+                      .low_open = true,
+                      .advice = "plane air is as good as that of a larger planet"},
                "the radius of the planet in km; its centre is straight below the origin");
   });
   v.one_of(option(a.layer.empty(), [&](auto& w) { describe_profile(w, a); }),

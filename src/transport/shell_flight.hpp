@@ -19,9 +19,14 @@ struct ShellLeg {
 
 enum class ShellEnd {
   collision,
-  top,    ///< it leaves the air
-  ground  ///< the photon stands on the ground
+  top,     ///< it leaves the air
+  ground,  ///< the photon stands on the ground
+  lost     ///< it has crossed too many spheres
 };
+
+/// A flight through so many legs is lost, and counted: shells whose index falls with the height may
+/// hold a ray for ever, and light in it meets nothing where the air is clear.
+inline constexpr int max_legs = 10'000;
 
 /// A flight through spherical air.
 struct ShellFlight {
@@ -36,7 +41,7 @@ inline bool come_to_shells(const medium::ShellsView& shells, Photon<double>& pho
   const double rise = dot(at.from_centre, photon.direction);
   const double step = geometry::square_above(shells, at.height, shells.top_m());
   const double square = rise * rise - step;
-  const bool leads_away = step > 0 && rise > 0;
+  const bool leads_away = step >= 0 && rise >= 0;
   if (square < 0 || leads_away) return false;
   const double root = std::sqrt(square);
   const double way = step / (root - rise);
@@ -86,7 +91,8 @@ ShellFlight fly_in_shells(const geometry::Slabs& air, Photon<double>& photon, do
   geometry::Turn turn;
   ShellFlight flight;
   double absorbed_tau = 0, gain = 1;
-  for (;;) {
+  flight.end = ShellEnd::lost;
+  for (int legs = 0; legs < max_legs; ++legs) {
     const geometry::Leg ahead = geometry::leg_ahead(shells, ray);
     const std::int32_t here = air.at(photon.line, ray.shell);
     const double tau = gather<double>(air.walk_c.first, here) * ahead.length;
@@ -101,15 +107,19 @@ ShellFlight fly_in_shells(const geometry::Slabs& air, Photon<double>& photon, do
     ray = leg.to;
     if (collides) {
       gain = gather<double>(air.collision_gain, here);
+      flight.end = ShellEnd::collision;
       break;
     }
     free_path -= tau;
-    flight.end = ShellEnd::ground;
-    if (ahead.sphere == shells.ground()) break;
+    if (ahead.sphere == shells.ground()) {
+      flight.end = ShellEnd::ground;
+      break;
+    }
     geometry::cross_sphere(shells, ray, ahead.sphere);
-    flight.end = ShellEnd::top;
-    if (ray.shell < 0) break;
-    flight.end = ShellEnd::collision;
+    if (ray.shell < 0) {
+      flight.end = ShellEnd::top;
+      break;
+    }
   }
   move_along(shells, ray, turn, flight.length, photon);
   photon.path += flight.length;

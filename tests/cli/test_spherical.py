@@ -74,6 +74,15 @@ REFUSED = {
     "refraction in plane air above a ground": (
         scene_of(LASER, air="surface = { albedo = 0.1 }\nrefraction = true\n"), "refraction = true",
         "plane air above a ground does not bend light", 'write geometry = "spherical"'),
+    "a planet of planes": (
+        scene_of(air=SPHERICAL + "planet_radius_km = 1e10\n"), "planet_radius_km = 1e10", "'planet_radius_km'",
+        "plane air is as good"),
+    "a source too far away": (
+        scene_of(PENCIL.replace("1e5", "1e14")), "position_m = [0, 0, 1e14]",
+        "the source is more than 1e+12 m away", "leave position_m of a beam out"),
+    "a zone without area": (
+        scene_of(SUN, ZONES.replace("60", "0.0001")), "zone_deg = [0, 0.0001, 90, 180]",
+        "the zone from 0 to 0.0001 degrees is narrower than 0.001 degrees", "make it wider"),
     "zones in plane air": (
         scene_of(SUN, ZONES, "surface = { albedo = 0.1 }\n"), "zone_deg = [0, 60, 90, 180]",
         "there are zones below spherical air alone", 'write geometry = "spherical"'),
@@ -172,6 +181,30 @@ def test_zones_are_a_dimension_of_files(photic, tmp_path):
     drawn = photic("plot", "air.nc", "-o", "air.svg")
     assert (drawn.returncode, drawn.stderr) == (0, "")
     assert (tmp_path / "air.svg").stat().st_size > 0
+
+
+# A shell whose index is the greatest holds level light for ever, which meets nothing in clear air. Seen red: without
+# the limit of legs, which a run does not survive.
+def test_trapped_light_is_lost_and_counted(photic, tmp_path):
+    clear = ("[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 1000\nrefractive_index = 1.0003\n"
+             "iop = [{ wavelength_nm = 532, a_per_m = 0, b_per_m = 0 }]\n")
+    trapped = 'kind = "point"\nposition_m = [0, 0, 500]\ndirection = [1, 0, 0]\n'
+    (tmp_path / "air.toml").write_text(scene_of(trapped, air=SPHERICAL + "refraction = true\n", layers=clear))
+    done = photic("run", "air.toml", "--photons", "100", "-o", "air.nc")
+    assert done.returncode == 0
+    assert "100 photons were lost after too many events" in done.stdout
+    with netCDF4.Dataset(tmp_path / "air.nc") as file:
+        assert file.photons_lost_too_many_events == 100
+
+
+# Seen red: balance 0.5, with the light that goes up lost.
+def test_light_from_the_top_of_the_air_escapes_upwards(photic, tmp_path):
+    lamp = 'kind = "cone"\nposition_m = [0, 0, 60000]\ndirection = [0, 0, 1]\nhalf_angle_deg = 180\n'
+    (tmp_path / "air.toml").write_text(scene_of(lamp))
+    done = photic("run", "air.toml", "-o", "air.nc")
+    assert (done.returncode, done.stderr) == (0, "")
+    with netCDF4.Dataset(tmp_path / "air.nc") as file:
+        assert file["balance"][:] == pytest.approx(1, abs=1e-3)
 
 
 # The air of a profile ends at 100 km by default, and the planet is the earth.

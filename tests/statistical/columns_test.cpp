@@ -88,15 +88,16 @@ std::string seen_across_face(double photons, const std::string& more = "") {
          simulation(photons, 63, more);
 }
 
-// From 2 to 10 m of path, with the face within a gate: by lanes and one by one, by single rays and
-// by the overlap. Seen red: with the first column's optical depth for all ways home.
+// From 2 to 10 m of path, with the face within a gate: by lanes and one by one, scored at
+// collisions alone and at further points. Seen red: with the first column's optical depth for all
+// ways home.
 TEST(Columns, AreSeenAcrossAFace) {
   using boost::math::quadrature::gauss_kronrod;
   ZFamily family(0.01);
   for (const bool in_lanes : {true, false})
-    for (const std::string reception : {"ray", "overlap"}) {
-      const auto scene = read(
-          seen_across_face(2e5, fmt::format("reception = \"{}\"\norders_kept = 2", reception)));
+    for (const int points : {1, 3}) {
+      const auto scene =
+          read(seen_across_face(2e5, fmt::format("scored_points = {}\norders_kept = 2", points)));
       run::RunOptions options;
       if (in_lanes) options.lanes = isa_of_tests();
       const auto result = run::run(scene, options);
@@ -110,7 +111,7 @@ TEST(Columns, AreSeenAcrossAFace) {
                                 integral(std::clamp(to_face_m, from, from + 1), from + 1);
         const std::size_t first_order = 8 + gate;
         family.add(orders.mean[first_order], expected, orders.standard_error[first_order],
-                   fmt::format("{} {} {}: {} for {}", in_lanes, reception, gate,
+                   fmt::format("{} {} {}: {} for {}", in_lanes, points, gate,
                                orders.mean[first_order], expected));
       }
     }
