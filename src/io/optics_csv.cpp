@@ -63,7 +63,7 @@ std::string names_of_place(const OpticalTable& table) {
 }
 
 /// The first fields of the rows of a layer.
-std::string place_of(const OpticalTable& table, std::size_t layer) {
+std::string fields_of_place(const OpticalTable& table, std::size_t layer) {
   if (!table.in_columns) return fmt::format("{}", table.first_m[layer]);
   return fmt::format("{},{},{}", csv_field(table.layer_name[layer]), table.first_m[layer],
                      table.last_m[layer]);
@@ -123,8 +123,8 @@ std::string optics_csv(const OpticalTable& table, const OpticsOrigin& origin) {
   out += '\n';
   for (std::size_t i = 0; i < table.a_per_m.size(); ++i) {
     const std::size_t layer = i / table.wavelengths();
-    out +=
-        fmt::format("{},{}", place_of(table, layer), table.wavelength_nm[i % table.wavelengths()]);
+    out += fmt::format("{},{}", fields_of_place(table, layer),
+                       table.wavelength_nm[i % table.wavelengths()]);
     for (const Column& column : columns) out += fmt::format(",{}", column.values[i]);
     out += '\n';
   }
