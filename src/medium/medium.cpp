@@ -219,13 +219,21 @@ void Medium::finish() {
   absorption_ = TwinTable(with_bed<double>(absorption, 0.0));
   bed_tau_ = TwinTable(to_beds(c));
   by_depth_ = layering_by_depth(depth_edges_);
-  row_ = RowTables(row, layers(), !bed_albedo.empty());
+  finish_row();
   environment_rows_ = TwinTable(environment_rows());
   part_phase_ = IndexTableOwner(with_bed<std::int32_t>(
       environments.part_phase, 0, static_cast<std::size_t>(environments.parts)));
   elastic_phase_ = IndexTableOwner(with_bed<std::int32_t>(elastic_phase, {}));
   conversion_phase_ = IndexTableOwner(conversion_phase);
   finish_bands();
+}
+
+void Medium::finish_row() { row_ = RowTables(row, layers(), !bed_albedo.empty()); }
+
+void Medium::set_origin(double x_m, double y_m) {
+  row.origin_x_m = x_m;
+  row.origin_y_m = y_m;
+  finish_row();
 }
 
 void Medium::finish_bands() {

@@ -133,7 +133,7 @@ class Medium {
   /// The depth of a layer's lower edge.
   [[nodiscard]] double bottom_of(std::size_t layer) const;
   /// Has places in views be relative to a point.
-  void set_origin(double x_m, double y_m) { row_.set_origin(row, x_m, y_m); }
+  void set_origin(double x_m, double y_m);
   /// Optical depth of the laser's light by scattering, through all layers.
   [[nodiscard]] double scattering() const;
   /// Scattering in an environment, of a line and layer [1/m].
@@ -182,6 +182,7 @@ class Medium {
   [[nodiscard]] std::vector<double> environment_rows() const;
   /// Groups the lines into bands.
   void finish_bands();
+  void finish_row();
 
   /// The tables of the view, in both precisions.
   TwinTable bed_albedo_, top_, albedo_, conversion_, absorption_, bed_tau_, index_, inverse_index_,

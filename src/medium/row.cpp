@@ -15,14 +15,10 @@ RowTables::RowTables(const Row& row, std::int32_t layers, bool beds)
   for (std::int32_t k = 0; beds && k < columns_; ++k) column_of.push_back(k);
   first_layer_ = IndexTableOwner(first);
   column_of_ = IndexTableOwner(column_of);
-  set_origin(row, 0, 0);
-}
-
-void RowTables::set_origin(const Row& row, double x_m, double y_m) {
   std::vector<double> faces;
-  for (const double x : row.face_m) faces.push_back(x - x_m);
+  for (const double x : row.face_m) faces.push_back(x - row.origin_x_m);
   face_ = TwinTable(faces);
-  side_ = TwinTable(std::vector{row.y_min_m - y_m, row.y_max_m - y_m});
+  side_ = TwinTable(std::vector{row.y_min_m - row.origin_y_m, row.y_max_m - row.origin_y_m});
 }
 
 RowView RowTables::view() const {

@@ -20,6 +20,7 @@ struct Row {
   /// x of the faces of columns, [columns + 1], ascending; the first and the last may be infinite.
   std::vector<double> face_m{-endless, endless};
   double y_min_m = -endless, y_max_m = endless;
+  double origin_x_m = 0, origin_y_m = 0;  ///< places in views are relative to
 
   [[nodiscard]] std::int32_t columns() const {
     return static_cast<std::int32_t>(first_layer.size());
@@ -104,8 +105,6 @@ class RowTables {
   /// `beds`: there is a place on the bed of each column, behind all layers.
   RowTables(const Row& row, std::int32_t layers, bool beds);
 
-  /// Has places be relative to a point.
-  void set_origin(const Row& row, double x_m, double y_m);
   [[nodiscard]] RowView view() const;
 
  private:

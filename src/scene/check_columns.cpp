@@ -98,14 +98,20 @@ void check_depths(const Sea& sea, Findings& findings) {
 /// Results call layers by the names of column and layer, with a stroke between them; paths by
 /// numbers and names, with points between them.
 void check_names(const std::vector<Column>& columns, Findings& findings) {
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    if (columns[i].name.find('.') != std::string::npos && findings.good({key_of_column(i, "name")}))
-      findings.add(key_of_column(i, "name"), "the name of a column may not have a '.'",
-                   "it stands between the keys of paths: take another letter");
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    if (columns[i].name.find('/') != std::string::npos && findings.good({key_of_column(i, "name")}))
-      findings.add(key_of_column(i, "name"), "the name of a column may not have a '/'",
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::string path = key_of_column(i, "name");
+    const std::string& name = columns[i].name;
+    if (!findings.good({path})) continue;
+    if (name.find('/') != std::string::npos)
+      findings.add(path, "the name of a column may not have a '/'",
                    "it stands between column and layer in results: take another letter");
+    else if (name.find('.') != std::string::npos)
+      findings.add(path, "the name of a column may not have a '.'",
+                   "it stands between the keys of paths: take another letter");
+    else if (!name.empty() && name.find_first_not_of("0123456789") == std::string::npos)
+      findings.add(path, "the name of a column may not be a number",
+                   "paths take numbers for the places of columns in the row: add a letter");
+  }
 }
 
 bool contains(const std::optional<double>& from, double place, const std::optional<double>& to) {
@@ -171,13 +177,9 @@ void remark_on_missed_row(const Scene& scene, Findings& findings) {
     return;
   const Vec3<double> there =
       source.position_m + source.position_m.z / -source.direction.z * source.direction;
-  const auto within = [](const std::optional<double>& from, double place,
-                         const std::optional<double>& to) {
-    return !(from && place < *from) && !(to && place > *to);
-  };
   const Sea& sea = scene.sea;
-  if (within(sea.column.front().x_min_m, there.x, sea.column.back().x_max_m) &&
-      within(sea.y_min_m, there.y, sea.y_max_m))
+  if (contains(sea.column.front().x_min_m, there.x, sea.column.back().x_max_m) &&
+      contains(sea.y_min_m, there.y, sea.y_max_m))
     return;
   findings.remark("source.position_m",
                   fmt::format("the source's axis meets the sea level at x = {:.6g}, y = {:.6g} m, "

@@ -97,11 +97,12 @@ def test_the_mean_over_a_lens_is_refused(photic, plume):
     assert 'write reception = "ray"' in done.stderr
 
 
-def test_names_that_paths_cannot_have_are_refused(photic, plume):
-    plume.write_text(plume.read_text().replace('name = "clean"', 'name = "A.b"'))
+@pytest.mark.parametrize("name, reason", [("A.b", "may not have a '.'"), ("1", "may not be a number"), ("a/b", "may not have a '/'")])
+def test_names_that_paths_cannot_have_are_refused(photic, plume, name, reason):
+    plume.write_text(plume.read_text().replace('name = "clean"', f'name = "{name}"'))
     done = photic("check", "plume.toml")
     assert done.returncode == 2
-    assert "the name of a column may not have a '.'" in done.stderr
+    assert f"the name of a column {reason}" in done.stderr
 
 
 # Seen red: without the remark.

@@ -93,7 +93,7 @@ class Grids {
     Coordinate medium{.name = name + "_medium",
                       .long_name = "the medium of a level: at depth 0 just above or below"};
     for (const TallyLevel& level : all) {
-      depth.values.push_back(level.in_air ? -level.distance : level.distance);
+      depth.values.push_back(level.in_air ? 0.0 - level.distance : level.distance);
       medium.labels.emplace_back(level.in_air ? "air" : "water");
     }
     return {name, all.size(), {std::move(depth), std::move(medium)}};
@@ -179,7 +179,8 @@ class Grids {
                      .units = "m",
                      .long_name = has_sea() ? below_surface : above_ground,
                      .attributes = downwards};
-    for (const double distance : distances) depth.edges.push_back(in_air ? -distance : distance);
+    for (const double distance : distances)
+      depth.edges.push_back(in_air ? 0.0 - distance : distance);
     Coordinate from_vertical{
         .name = name + (rings ? "_radius" : "_x"),
         .units = "m",
