@@ -278,6 +278,36 @@ TEST(Columns, HaveMirrorImages) {
   expect_same_light(mirrored(false, 3), mirrored(true, 4), "a row and its mirror image", 0.06, 10);
 }
 
+// Light does not know where the origin of a scene is. Seen red: with faces, or sides, that stay
+// where they are.
+TEST(Columns, MayStandAnywhere) {
+  const auto moved = [](double x, double y) {
+    const auto at = [&](double z, double from_x) {
+      return fmt::format("position_m = [{}, {}, {}]\n", x + from_x, y, z);
+    };
+    return run_in_lanes(
+        read("[source]\nwavelength_nm = 355.0\n" + at(4, 0) +
+             "direction = [0.1, 0.0, -1.0]\ndiameter_m = 0.05\nhalf_divergence_mrad = 40.0\n"
+             "[[telescope]]\n" +
+             at(4, 0.3) +
+             "direction = [0.1, 0.05, -1.0]\ndiameter_m = 0.5\n"
+             "focal_length_m = 4.0\nhalf_field_of_view_mrad = 500.0\n" +
+             with_raman + five_gates +
+             sea_with(flat, fmt::format("y_min_m = {}\ny_max_m = {}\n", y - 0.4, y + 0.5)) +
+             column(fmt::format("x_min_m = {}\nx_max_m = {}\n", x - 0.3, x + 0.4),
+                    layer(0.05, 0.2, 0.3, 3)) +
+             column(fmt::format("x_max_m = {}\n", x + 0.9), layer(0.3, 1.0, 0.3, 3)) + shallow_bed +
+             simulation(5e4, 6)));
+  };
+  const auto here = moved(0, 0);
+  for (const auto& [x, y] : {std::pair{64.0, 0.0}, {0.0, -32.0}}) {
+    const auto there = moved(x, y);
+    for (std::size_t i = 0; i < here.echo.mean.size(); ++i)
+      EXPECT_NEAR(there.echo.mean[i], here.echo.mean[i], 1e-3 * here.echo.mean[i]) << i;
+    EXPECT_NEAR(there.ledger.escaped, here.ledger.escaped, 1e-4);
+  }
+}
+
 // A front that moves through the beam takes the echo from one water's to the other's.
 TEST(Columns, TakeTheEchoFromOneWaterToTheOther) {
   std::vector<tally::Result> moved;
