@@ -13,6 +13,7 @@
 #include "core/constants.hpp"
 #include "run/run.hpp"
 #include "support/films.hpp"
+#include "support/lit_scenes.hpp"
 #include "support/own_runs.hpp"
 #include "support/runs.hpp"
 #include "support/same_light.hpp"
@@ -276,6 +277,26 @@ TEST(Columns, HaveMirrorImages) {
                              shallow_bed + simulation(3e5, seed)));
   };
   expect_same_light(mirrored(false, 3), mirrored(true, 4), "a row and its mirror image", 0.06, 10);
+}
+
+// Of a disc of light over the end of a row the circular segment beyond it meets nothing; water with
+// the index of air reflects nothing. Seen red: with a surface beside the row.
+TEST(Columns, HaveNoSurfaceBesideThem) {
+  const double radius = 0.5, aside = 0.25;
+  const double on_row = (std::acos(aside / radius) -
+                         aside / radius * std::sqrt(1 - aside * aside / radius / radius)) /
+                        pi;
+  for (const std::string estimator : {"forward", "analog"}) {
+    const auto result = run_in_lanes(
+        read(light("beam", "position_m = [0, 0, 3]\nzenith_deg = 0\ndiameter_m = 1.0") +
+             tally_of("boundaries") + "[sea]\nrefractive_index = 1.0\n" +
+             column("x_min_m = 0.25\n", layer(0.2, 0.1, 0.3)) + simulation(1e5, 7, "", estimator)));
+    const Known missed = known(result, "reflected_by_surface");
+    EXPECT_NEAR(missed.value, 1 - on_row, 4 * missed.error) << estimator;
+    EXPECT_LT(missed.error, 0.003);
+    const Known balance = known(result, "balance");
+    EXPECT_NEAR(balance.value, 1, 4 * balance.error + 1e-6) << estimator;
+  }
 }
 
 // Light does not know where the origin of a scene is. Seen red: with faces, or sides, that stay
