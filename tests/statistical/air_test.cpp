@@ -48,10 +48,10 @@ TEST(Air, OfTheWatersIndexIsAsLayersOfWater) {
   const std::string low = optics(0.02, 0.1, 0.6), high = optics(0.01, 0.05, 0.2);
   const std::string in_air = "[[atmosphere.layer]]\nbottom_height_m = 0.0\ntop_height_m = 2.0\n" +
                              low + slow +
-                             "[[atmosphere.layer]]\nbottom_height_m = 2.0\ntop_height_m = 5.0\n" +
+                             "[[atmosphere.layer]]\nbottom_height_m = 2.0\ntop_height_m = 5.1\n" +
                              high + slow + sea + water;
-  const std::string in_water = sea + "[[sea.layer]]\nbottom_depth_m = 3.0\n" + high +
-                               "[[sea.layer]]\nbottom_depth_m = 5.0\n" + low + water;
+  const std::string in_water = sea + "[[sea.layer]]\nbottom_depth_m = 3.1\n" + high +
+                               "[[sea.layer]]\nbottom_depth_m = 5.1\n" + low + water;
   ZFamily all(0.01);
   for (const double tilt : {0.0, 25.0}) {
     const std::string channels =
@@ -60,7 +60,7 @@ TEST(Air, OfTheWatersIndexIsAsLayersOfWater) {
       const auto air = run_in_lanes(
           read(lidar(5, tilt) + in_air + channels + simulation(photons, 1, "", estimator)));
       const auto sunk = run_in_lanes(
-          read(lidar(-1e-6, tilt) + in_water + channels + simulation(photons, 2, "", estimator)));
+          read(lidar(-0.1, tilt) + in_water + channels + simulation(photons, 2, "", estimator)));
       const std::size_t before = all.size();
       const auto& a = air.grid("echo_by_order");
       const auto& w = sunk.grid("echo_by_order");
