@@ -6,6 +6,7 @@
 #include "estimator/model.hpp"
 #include "optics/mie.hpp"
 #include "scene/read.hpp"
+#include "support/tables.hpp"
 #include "transport/connect.hpp"
 #include "transport/flight.hpp"
 #include "transport/scatter.hpp"
@@ -16,7 +17,7 @@ namespace {
 /// The benchmark scene and a photon 10 m deep, a little aside, going down.
 struct Setting {
   estimator::Model model = estimator::make_model(
-      scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene);
+      scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene, *test::tables());
   estimator::World<double> world = estimator::make_world<double>(model);
   transport::Photon<double> photon;
   RandomPlace<double> place{1, 0, 0};

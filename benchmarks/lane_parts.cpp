@@ -10,6 +10,7 @@
 #include "estimator/make_world.hpp"
 #include "estimator/model.hpp"
 #include "scene/read.hpp"
+#include "support/tables.hpp"
 
 namespace photic::estimator {
 namespace {
@@ -22,7 +23,7 @@ struct Setting {
   Model model = [] {
     auto scene = scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene;
     scene.simulation.estimator = scene::Estimator::forward;
-    return make_model(scene);
+    return make_model(scene, *test::tables());
   }();
   World<Lanes> world = make_world<Lanes>(model);
   const geometry::Slabs& sea = world.slabs;

@@ -15,6 +15,7 @@
 
 #include "run/run.hpp"
 #include "scene/read.hpp"
+#include "support/tables.hpp"
 
 namespace {
 
@@ -44,7 +45,7 @@ int benchmark(int argc, char** argv) {
   const double cpu_before = cpu_seconds();
   for (std::uint64_t i = 0; i < repeats; ++i) {
     scene.simulation.seed = 100 + i;
-    results.push_back(photic::run::run(scene, options));
+    results.push_back(photic::run::run(scene, *photic::test::tables(), options));
     wall += results.back().wall_time_s;
   }
   const double cpu = cpu_seconds() - cpu_before;

@@ -14,6 +14,28 @@ configure_file(cmake/METADATA.in ${PROJECT_BINARY_DIR}/${metadata}/METADATA @ONL
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${metadata}/INSTALLER CONTENT "cmake\n")
 install(DIRECTORY ${PROJECT_BINARY_DIR}/${metadata} DESTINATION ${packages})
 
+# A library for other programs: find_package(photic), photic::photic. Not in the Debian package (cmake/package.cmake).
+include(cmake/headers.cmake)
+include(CMakePackageConfigHelpers)
+get_property(libraries GLOBAL PROPERTY PHOTIC_LIBRARIES)
+add_library(photic_library INTERFACE)
+set_target_properties(photic_library PROPERTIES EXPORT_NAME photic)
+target_link_libraries(photic_library INTERFACE photic_session)
+target_compile_features(photic_library INTERFACE cxx_std_20)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/photic)
+install(TARGETS ${libraries} photic_flags photic_library EXPORT photicTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/photic COMPONENT development)
+install(EXPORT photicTargets NAMESPACE photic:: DESTINATION ${package} COMPONENT development)
+configure_file(cmake/photicConfig.cmake.in ${PROJECT_BINARY_DIR}/package/photicConfig.cmake COPYONLY)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/photicConfigVersion.cmake COMPATIBILITY ExactVersion)
+install(FILES ${PROJECT_BINARY_DIR}/package/photicConfig.cmake ${PROJECT_BINARY_DIR}/package/photicConfigVersion.cmake
+        DESTINATION ${package} COMPONENT development)
+photic_public_headers(headers scene/scene.hpp scene/read.hpp session/*.hpp tally/result.hpp io/*.hpp)
+foreach(header IN LISTS headers)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES src/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/photic/${folder} COMPONENT development)
+endforeach()
+
 # Where each shell looks; zsh of Debian packages has another place (cmake/debian/finish.cmake).
 install(FILES completions/photic.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME photic)
 install(FILES completions/_photic DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)

@@ -4,6 +4,8 @@ set(CPACK_PACKAGE_VENDOR "The Photic developers")
 set(CPACK_PACKAGE_CONTACT "The Photic developers")  # the authors of CITATION.cff
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulator of oceanographic lidar")
 set(CPACK_STRIP_FILES ON)
+# Without the library for other programs.
+set(CPACK_INSTALL_CMAKE_PROJECTS ${PROJECT_BINARY_DIR} photic Unspecified /)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 

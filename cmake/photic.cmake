@@ -14,6 +14,8 @@ set(bool_masks $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 set(contraction "-ffp-contract=$<IF:$<BOOL:$<TARGET_PROPERTY:PHOTIC_CONTRACTED>>,fast,off>")
 target_compile_options(photic_flags INTERFACE -Wall -Wextra -Wpedantic ${shadow} ${bool_masks} -Wconversion
                        -Wno-sign-conversion -Wno-psabi -Werror ${contraction} -fno-math-errno -fno-trapping-math)
+# Shared objects are made of these libraries, too, with no more to see of them than what they are asked for.
+target_compile_options(photic_flags INTERFACE -fPIC -fvisibility=hidden -fvisibility-inlines-hidden)
 
 photic_choose_isas(photic_isas)
 foreach(isa IN LISTS photic_isas)
@@ -56,7 +58,9 @@ function(photic_library name)
     add_library(photic_${name} INTERFACE)
     set(scope INTERFACE)
   endif()
-  target_include_directories(photic_${name} ${scope} ${PROJECT_SOURCE_DIR}/src)
+  target_include_directories(photic_${name} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/photic>)
+  set_property(GLOBAL APPEND PROPERTY PHOTIC_LIBRARIES photic_${name})
   list(TRANSFORM ARG_USES PREPEND photic_)
   target_link_libraries(photic_${name} ${scope} ${ARG_USES} ${ARG_LINKS})
 endfunction()

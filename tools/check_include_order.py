@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Holds the house to its floors: a folder of src/ includes only itself and the folders below it, and each
 third-party library stays in its own folder (docs/architecture.md). Estimators, the folders of src/estimator/, do not know each
-other, and what stands beside their folders knows none of them.
+other, and what stands beside their folders knows none of them. The floors are a library: they leave the process alone, which
+belongs to the application, and keep no variables that the runs of a process would share.
 
 usage: check_include_order.py [ROOT]; prints every violation as file:line: reason; exit code 1 if there is any.
 """
@@ -10,7 +11,7 @@ import re
 import sys
 from pathlib import Path
 
-FLOORS = ["core", "optics", "scene", "medium", "surface", "geometry", "instrument", "transport", "tally", "lanes", "estimator", "schedule", "run", "io"]
+FLOORS = ["core", "optics", "scene", "medium", "surface", "geometry", "instrument", "transport", "tally", "lanes", "estimator", "schedule", "run", "io", "session"]
 HOMES = {  # the head of a third-party include -> the folders that may use it
     "Random123/": ["core"],
     "toml++/": ["scene"],
@@ -18,6 +19,14 @@ HOMES = {  # the head of a third-party include -> the folders that may use it
     "CLI/": ["apps"],
     "nlohmann/": ["scene", "io", "apps"],
 }
+OF_THE_PROCESS = {  # what only applications do -> why
+    re.compile(r"\bf?printf\(|\bf?puts\(|\bputchar\(|\bperror\(|\bfmt::print\(|\bstd::(cout|cerr|clog)\b"): "prints",
+    re.compile(r"\bstd::(exit|_Exit|quick_exit|abort|terminate)\(|(?<![\w:.])_?exit\("): "ends the process",
+    re.compile(r"\bgetenv\("): "reads the environment",
+    re.compile(r"\bset(locale|env)\(|\blocale::global\("): "changes the process",
+    re.compile(r"\bthread_local\b|^\s+static (?!const\b|constexpr\b)[^()]*[;={]"): "has a variable that all runs would share",
+}
+MAY_SHARE = {"src/io/netcdf_lock.cpp"}  # netCDF is one for the process, and so is its lock
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -36,6 +45,12 @@ def reason_against(folder: str, mark: str, header: str) -> str | None:
     if FLOORS.index(first) > FLOORS.index(folder):
         return f"{folder} must not include {first}, which stands above it"
     return None
+
+
+def reason_against_line(line: str) -> str | None:
+    """The reason why no line of src/ may do this; None if it may."""
+    code = line.split("//")[0]
+    return next((f"{why}: that is for applications" for what, why in OF_THE_PROCESS.items() if what.search(code)), None)
 
 
 def beside_estimators(folder: list[str]) -> list[str]:
@@ -70,6 +85,8 @@ def violations(root: Path) -> tuple[list[str], int]:
                 match = INCLUDE.match(line)
                 reason = match and (reason_against(folder, *match.groups())
                                     or reason_against_estimator(relative.parent.as_posix()[len("src/"):], match[2]))
+                if top == "src" and str(relative) not in MAY_SHARE:
+                    reason = reason or reason_against_line(line)
                 if reason:
                     found.append(f"{relative}:{number}: {reason}")
     return found, files

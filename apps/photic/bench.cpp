@@ -10,9 +10,11 @@
 #include "estimator/model.hpp"
 #include "io/netcdf_variable.hpp"
 #include "io/table_parts.hpp"
+#include "photic/beside.hpp"
 #include "photic/commands.hpp"
 #include "photic/interrupt.hpp"
 #include "photic/output.hpp"
+#include "photic/tables.hpp"
 #include "photic/terminal.hpp"
 
 namespace photic::app {
@@ -238,8 +240,8 @@ std::string json(const run::Comparison& comparison, const std::string& scene) {
 }  // namespace
 
 int run(const BenchCommand& command) {
-  const scene::Reading reading = scene::read_scene(command.scene, command.overrides,
-                                                   estimator::optics_check(), io::netcdf_files());
+  const scene::Reading reading =
+      scene::read_scene(command.scene, command.overrides, optics_check(), io::netcdf_files());
   for (const std::string& remark : reading.remarks) print_warning(remark + '\n');
   if (reading.scene.telescope.empty())
     throw InputError(
@@ -249,11 +251,13 @@ int run(const BenchCommand& command) {
   run::BenchOptions options;
   options.time_s = command.time_s;
   options.threads = command.threads;
-  options.interrupt = &interrupted();
+  run::Monitor monitor;
+  options.monitor = &monitor;
   if (is_terminal(Stream::error))
     options.report = [](const std::string& line) { print_error("measuring " + line + '\n'); };
   listen_for_interrupts();
-  const auto comparison = run::compare_estimators(reading.scene, options);
+  const auto comparison =
+      beside(monitor, [&] { return run::compare_estimators(reading.scene, *tables(), options); });
   if (!comparison) return interrupt_exit_code();
   print_out(command.json ? json(*comparison, command.scene) : table(*comparison));
   return done;

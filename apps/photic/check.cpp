@@ -5,13 +5,13 @@
 #include "io/netcdf_variable.hpp"
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
+#include "photic/tables.hpp"
 
 namespace photic::app {
 namespace {
 
 std::vector<std::string> remarks_on(const CheckCommand& command) {
-  return scene::read_scene(command.scene, command.overrides, estimator::optics_check(),
-                           io::netcdf_files())
+  return scene::read_scene(command.scene, command.overrides, optics_check(), io::netcdf_files())
       .remarks;
 }
 

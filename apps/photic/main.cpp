@@ -51,7 +51,7 @@ int follow(const app::Command& command) {
   } catch (const InputError& error) {
     report(error, std::visit(Subject{error}, command));
     return app::bad_input;
-  } catch (const app::UsageError& error) {
+  } catch (const UsageError& error) {
     app::print_error(app::painted(error.what(), app::Colour::red, app::Stream::error) + '\n');
     return app::bad_input;
   } catch (const EnvironmentError& error) {

@@ -6,10 +6,11 @@
 #include "io/optics_table.hpp"
 #include "medium/air_table.hpp"
 #include "medium/optical_table.hpp"
-#include "optics/data_folder.hpp"
 #include "photic/commands.hpp"
 #include "photic/optics_report.hpp"
 #include "photic/output.hpp"
+#include "photic/tables.hpp"
+#include "session/result_file.hpp"
 
 namespace photic::app {
 namespace {
@@ -26,7 +27,7 @@ scene::Reading read_water(const OpticsCommand& command) {
   overrides.push_back("title=" + title);
   overrides.insert(overrides.end(), command.overrides.begin(), command.overrides.end());
   return scene::read_scene_text(scene::starter_scene("ship"), "--water", "", overrides,
-                                estimator::optics_check(), io::netcdf_files());
+                                optics_check(), io::netcdf_files());
 }
 
 /// The scene at a path; none: the water that is asked for.
@@ -34,18 +35,18 @@ scene::Scene read(const OpticsCommand& command, const std::string& path) {
   if (!command.output.empty()) check_optics_output(command.output, path);
   const scene::Reading reading =
       path.empty() ? read_water(command)
-                   : scene::read_scene(path, command.overrides, estimator::optics_check(),
-                                       io::netcdf_files());
+                   : scene::read_scene(path, command.overrides, optics_check(), io::netcdf_files());
   for (const std::string& remark : reading.remarks) print_error(remark + '\n');
-  spare(reading.files, command.output);
+  session::spare(reading.files, command.output);
   return reading.scene;
 }
 
 /// At the wavelengths that are asked for, or that light of the scene has.
 template <class TableAt>
 medium::OpticalTable table_of(const scene::Scene& scene, const OpticsCommand& command,
-                              const optics::Library& library, TableAt table_at) {
-  if (command.wavelength_nm.empty()) return table_at(medium::wavelengths_of_light(scene, library));
+                              TableAt table_at) {
+  if (command.wavelength_nm.empty())
+    return table_at(medium::wavelengths_of_light(scene, *tables()));
   try {
     return table_at(command.wavelength_nm);
   } catch (const InputError& error) {  // nothing is wrong with the scene, which has been checked
@@ -56,14 +57,13 @@ medium::OpticalTable table_of(const scene::Scene& scene, const OpticsCommand& co
 /// The water of the scene, and on the terminal the air above it.
 int report_water(const OpticsCommand& command) {
   const scene::Scene scene = read(command, command.scene);
-  const optics::Library library(optics::find_data_folder());
-  const auto water = table_of(scene, command, library, [&](const std::vector<double>& nm) {
-    return medium::optical_table(scene, library, nm);
+  const auto water = table_of(scene, command, [&](const std::vector<double>& nm) {
+    return medium::optical_table(scene, *tables(), nm);
   });
   report(water, {scene.title, scene::write_scene(scene)}, command);
   if (!scene.atmosphere || command.json || !command.output.empty()) return done;
-  const auto air = table_of(scene, command, library, [&](const std::vector<double>& nm) {
-    return medium::air_table(scene, nm);
+  const auto air = table_of(scene, command, [&](const std::vector<double>& nm) {
+    return medium::air_table(scene, *tables(), nm);
   });
   print_out(fmt::format("\nThe air above it (by itself: photic optics --air {})\n\n{}",
                         command.scene, io::optics_text(air)));
@@ -81,9 +81,8 @@ int report_air_of_scene(const OpticsCommand& command) {
     throw UsageError(command.air +
                      ": there is no air above the sea (give it an [atmosphere], or name a profile: "
                      "--air us-standard)");
-  const optics::Library library(optics::find_data_folder());
-  const auto air = table_of(scene, command, library, [&](const std::vector<double>& nm) {
-    return medium::air_table(scene, nm);
+  const auto air = table_of(scene, command, [&](const std::vector<double>& nm) {
+    return medium::air_table(scene, *tables(), nm);
   });
   report(air, {scene.title, scene::write_scene(scene)}, command);
   return done;

@@ -16,9 +16,10 @@
 #include "io/spectral_table.hpp"
 #include "medium/air_table.hpp"
 #include "optics/air_plausibility.hpp"
-#include "optics/data_folder.hpp"
 #include "optics/modtran.hpp"
 #include "photic/output.hpp"
+#include "photic/tables.hpp"
+#include "session/result_file.hpp"
 
 namespace photic::app {
 namespace {
@@ -68,7 +69,7 @@ void report(const io::SpectralTable& table, const std::string& text, const std::
 void check_output_of(const std::string& input, const OpticsCommand& command) {
   if (command.output.empty()) return;
   check_optics_output(command.output, "");
-  spare({input}, command.output);
+  session::spare({input}, command.output);
 }
 
 /// A tape6, if nothing else.
@@ -85,7 +86,7 @@ optics::AirProfile modtran_air(const std::string& text, const std::string& name)
 /// A CSV file by its name, another file as a tape6, else one of Photic's atmospheres.
 optics::AirProfile air_profile(const optics::AirLibrary& library, const std::string& name) {
   std::error_code none;
-  if (format_of(name) == Format::csv)
+  if (session::format_of(name) == session::Format::csv)
     return optics::air_profile(optics::with_all_humidities(optics::DataTable::read(name)));
   if (fs::exists(name, none) || name.find('/') != std::string::npos)
     return modtran_air(optics::read_text(name), name);
@@ -142,7 +143,8 @@ void report_tape7(const std::string& text, const OpticsCommand& command) {
 /// The text of a file that is a tape7.
 std::optional<std::string> tape7(const std::string& file) {
   std::error_code none;
-  if (!fs::is_regular_file(file, none) || format_of(file) == Format::csv) return {};
+  if (!fs::is_regular_file(file, none) || session::format_of(file) == session::Format::csv)
+    return {};
   std::string text = optics::read_text(file);
   return optics::is_tape7(text) ? std::optional(std::move(text)) : std::nullopt;
 }
@@ -153,7 +155,7 @@ void report(const medium::OpticalTable& table, const ReportSubject& what,
             const OpticsCommand& command) {
   if (!command.output.empty()) {
     const io::OpticsOrigin origin = origin_of(what, command);
-    if (format_of(command.output) == Format::csv)
+    if (session::format_of(command.output) == session::Format::csv)
       io::write_optics_csv(table, origin, command.output);
     else
       io::write_optics_netcdf(table, origin, command.output);
@@ -168,8 +170,7 @@ void report(const medium::OpticalTable& table, const ReportSubject& what,
 
 int report_oil(const OpticsCommand& command) {
   check_output_of(command.oil, command);
-  const optics::Library library(optics::find_data_folder());
-  const optics::Oil oil = optics::oil(library, command.oil);
+  const optics::Oil oil = optics::oil(*tables(), command.oil);
   const auto nm = wavelengths_of(command);
   report(io::oil_table(oil, nm), io::oil_text(oil, nm), "Oil: " + oil.name, command);
   return done;
@@ -181,7 +182,7 @@ int report_air(const OpticsCommand& command) {
     report_tape7(*text, command);
     return done;
   }
-  const optics::AirLibrary library(optics::find_data_folder());
+  const optics::AirLibrary& library = tables()->air();
   optics::AirProfile profile = air_profile(library, command.air);
   for (const auto& remarks : {profile.remarks, optics::doubts_about(profile)})
     for (const std::string& remark : remarks)
@@ -195,7 +196,7 @@ int report_air(const OpticsCommand& command) {
   }
   optics::AerosolChoice aerosols;
   aerosols.model[optics::boundary_layer] = command.aerosol;
-  report(medium::air_table(library, profile, aerosols, wavelengths_of(command)), {title, ""},
+  report(medium::air_table(*tables(), profile, aerosols, wavelengths_of(command)), {title, ""},
          command);
   return done;
 }

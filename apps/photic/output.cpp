@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -12,10 +11,10 @@
 #include <sstream>
 
 #include "core/error.hpp"
-#include "photic/checkpoint.hpp"
 #include "photic/commands.hpp"
-#include "photic/occupant.hpp"
 #include "photic/terminal.hpp"
+#include "session/occupant.hpp"
+#include "session/result_file.hpp"
 
 namespace photic::app {
 namespace {
@@ -78,73 +77,15 @@ void print_out(std::string_view text) {
   if (std::fflush(stdout) != 0 || !written) fail("cannot write to standard output");
 }
 
-std::optional<Format> format_of(const std::string& file) {
-  std::string kind = fs::path(file).extension().string();
-  for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (kind == ".nc") return Format::netcdf;
-  if (kind == ".csv") return Format::csv;
-  if (kind == ".txt") return Format::text;
-  return std::nullopt;
-}
-
-bool is_folder(const std::string& output) {
-  std::error_code none;
-  return output.ends_with('/') || fs::is_directory(output, none);
-}
-
-namespace {
-
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw EnvironmentError(fmt::format("cannot make the folder {}: {}", folder, error.message()));
-}
-
-void spare_scene(const std::string& output, const std::string& scene) {
-  std::error_code none;
-  if (fs::equivalent(output, scene, none))
-    throw UsageError(output + ": the result would replace the scene (choose another name with -o)");
-}
-
-}  // namespace
-
-std::string result_path(const RunCommand& command) {
-  const std::string& output = command.output;
-  const std::string named_after =
-      command.scene.empty() ? without_checkpoint(command.earlier) : command.scene;
-  std::string name = fs::path(named_after).filename().replace_extension(".nc").string();
-  if (output.empty()) return name;
-  if (is_folder(output)) {
-    make_folder(output);
-    return (fs::path(output) / name).string();
-  }
-  if (!format_of(output))
-    throw UsageError(output + ": the result's name ends in none of .nc, .csv and .txt (write -o " +
-                     output + ".nc, or -o " + output + "/ for a folder)");
-  spare_scene(output, command.scene);
-  return output;
-}
-
 void check_optics_output(const std::string& output, const std::string& scene) {
-  const auto format = format_of(output);
-  if (format != Format::netcdf && format != Format::csv)
+  const auto format = session::format_of(output);
+  if (format != session::Format::netcdf && format != session::Format::csv)
     throw UsageError(output + ": the result's name ends neither in .nc nor in .csv (write -o " +
                      output + ".nc)");
-  spare_scene(output, scene);
-  if (holds_echoes(output))
+  session::spare_scene(output, scene);
+  if (session::holds_echoes(output))
     throw UsageError(output +
                      ": holds echoes of a run, and is left as it is (choose another name with -o)");
-}
-
-void spare(const std::vector<std::string>& inputs, const std::string& output) {
-  std::error_code none;
-  for (const std::string& input : inputs) {
-    if (fs::equivalent(output, input, none))
-      throw UsageError(output +
-                       ": the result would replace a file that it is made of "
-                       "(choose another name with -o)");
-  }
 }
 
 namespace {
@@ -164,7 +105,7 @@ std::string go_on_command(const Call& call, const std::string& earlier, const st
 }
 
 std::string plot_hint(const Call& call, const std::string& file) {
-  if (format_of(file) != Format::netcdf) return "";
+  if (session::format_of(file) != session::Format::netcdf) return "";
   const std::string picture = fs::path(file).replace_extension(".png").string();
   return "Plot it:  " + call.command({"plot", as_file(file), "-o", as_file(picture)}) + '\n';
 }

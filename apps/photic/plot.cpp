@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/program.hpp"
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
+#include "photic/program.hpp"
 
 namespace photic::app {
 namespace {

@@ -1,18 +1,15 @@
 // The progress bar on a terminal.
 #pragma once
 
+#include <mutex>
 #include <string>
 
-#include "run/run.hpp"
+#include "run/monitor.hpp"
 
 namespace photic::app {
 
-/// "[######    ]  58 %   4 s left  210/300 gates  worst gate 12 % (target 2.0 %)  91.2 k/s  5.81 M
-/// photons": what fits in `width` columns.
-std::string progress_line(const run::Progress& progress, int width);
-
 /// Draws the line again at every call, on standard error; wipes it before a message and when the
-/// run is over.
+/// run is over. May be used by several threads.
 class ProgressBar {
  public:
   ProgressBar() = default;
@@ -21,9 +18,14 @@ class ProgressBar {
   ~ProgressBar() { wipe(); }
 
   void draw(const run::Progress& progress);
+  /// Prints a line that stays, and should be seen.
+  void print_above(const std::string& line);
   void wipe();
 
  private:
+  void wipe_drawn();
+
+  std::mutex mutex_;
   bool drawn_ = false;
 };
 

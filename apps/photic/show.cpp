@@ -17,17 +17,18 @@
 #include "medium/air.hpp"
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
+#include "photic/tables.hpp"
+#include "session/result_file.hpp"
 
 namespace photic::app {
 namespace {
 
 scene::Reading read(const ShowCommand& command) {
-  if (format_of(command.file) != Format::netcdf)
-    return scene::read_scene(command.file, command.overrides, estimator::optics_check(),
-                             io::netcdf_files());
+  if (session::format_of(command.file) != session::Format::netcdf)
+    return scene::read_scene(command.file, command.overrides, optics_check(), io::netcdf_files());
   return scene::read_scene_text(io::read_scene_attribute(command.file), command.file,
                                 std::filesystem::path(command.file).parent_path().string(),
-                                command.overrides, estimator::optics_check(), io::netcdf_files());
+                                command.overrides, optics_check(), io::netcdf_files());
 }
 
 constexpr std::size_t comment_width = 96;
@@ -78,7 +79,7 @@ std::string notes_on(const estimator::Model& model) {
 int run(const ShowCommand& command) {
   const scene::Reading reading = read(command);
   for (const std::string& remark : reading.remarks) print_warning(remark + '\n');
-  const estimator::Model model = estimator::make_model(reading.scene);
+  const estimator::Model model = estimator::make_model(reading.scene, *tables());
   print_out(command.json ? scene::write_scene_json(estimator::reported_scene(model)) + '\n'
                          : scene::write_scene(estimator::reported_scene(model)) + notes_on(model));
   return done;

@@ -4,11 +4,12 @@
 #include <cctype>
 #include <filesystem>
 
-#include "core/program.hpp"
 #include "io/table_parts.hpp"
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
+#include "photic/program.hpp"
 #include "photic/terminal.hpp"
+#include "session/result_file.hpp"
 
 namespace photic::app {
 namespace {
@@ -83,7 +84,7 @@ int run(const NewCommand& command) {
     report_files_of(command.kind);
     return done;
   }
-  const std::string output = is_folder(command.output)
+  const std::string output = session::is_folder(command.output)
                                  ? (fs::path(command.output) / (command.kind + ".toml")).string()
                                  : command.output;
   call_by_name(text, command.kind, fs::path(output).filename());

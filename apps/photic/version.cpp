@@ -7,8 +7,8 @@
 
 #include "core/error.hpp"
 #include "core/isa.hpp"
-#include "optics/data_folder.hpp"
 #include "photic/commands.hpp"
+#include "photic/data_folder.hpp"
 #include "photic/output.hpp"
 
 namespace photic::app {
@@ -22,7 +22,7 @@ constexpr const char* compiler = "GCC " __VERSION__;
 
 std::string data_folder() {
   try {
-    return optics::find_data_folder();
+    return find_data_folder();
   } catch (const EnvironmentError& none) {
     return none.what();
   }

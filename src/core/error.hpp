@@ -21,6 +21,7 @@ struct Diagnostic {
   int column = 0;    ///< from 1
   std::string reason;
   std::string suggestion;  ///< the advice; may be empty
+  std::string path = {};   ///< of the scene's value, as --set names it; empty where there is none
 
   [[nodiscard]] std::string text() const;
 };
@@ -33,6 +34,12 @@ class InputError : public std::runtime_error {
 
  private:
   std::vector<Diagnostic> diagnostics_;
+};
+
+/// A command that cannot be followed; the text has what to write instead.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 /// A bug: a promise between parts of the program was broken.

@@ -1,11 +1,14 @@
 // Vectors whose zeros cost no memory until they are written to.
 #pragma once
 
+#include <sys/mman.h>
+
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <new>
 #include <type_traits>
 #include <vector>
@@ -25,11 +28,20 @@ struct ZeroedAllocator {
   explicit(false) ZeroedAllocator(const ZeroedAllocator<Other>& /*other*/) noexcept {}
 
   T* allocate(std::size_t count) {
-    void* memory = std::calloc(count, sizeof(T));
-    if (memory == nullptr) throw std::bad_alloc();
+    if (count > std::numeric_limits<std::size_t>::max() / sizeof(T))
+      throw std::bad_array_new_length();
+    void* memory = is_large(count) ? ::mmap(nullptr, count * sizeof(T), PROT_READ | PROT_WRITE,
+                                            MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
+                                   : std::calloc(count, sizeof(T));
+    if (memory == nullptr || memory == MAP_FAILED) throw std::bad_alloc();
     return static_cast<T*>(memory);
   }
-  void deallocate(T* memory, std::size_t /*count*/) noexcept { std::free(memory); }
+  void deallocate(T* memory, std::size_t count) noexcept {
+    if (is_large(count))
+      ::munmap(memory, count * sizeof(T));
+    else
+      std::free(memory);
+  }
 
   void construct(T* /*at*/) noexcept {}  // it is T{} already
   void construct(T* at, const T& value) noexcept {
@@ -42,6 +54,12 @@ struct ZeroedAllocator {
   friend bool operator==(const ZeroedAllocator&, const ZeroedAllocator&) { return true; }
 
  private:
+  /// calloc fills what it has at hand with zeros, which then take room; what the system hands out
+  /// does not, and goes back to it.
+  static bool is_large(std::size_t count) noexcept {
+    constexpr std::size_t many_pages = 1U << 17U;
+    return count * sizeof(T) >= many_pages;
+  }
   static bool is_zero(const T& value) noexcept {
     using Word = std::conditional_t<sizeof(T) % 8 == 0, std::uint64_t, std::uint32_t>;
     constexpr std::size_t word_size = sizeof(Word);

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <memory>
 #include <tuple>
+#include <utility>
 
 #include "core/constants.hpp"
 #include "core/error.hpp"
@@ -25,7 +26,6 @@
 #include "medium/film.hpp"
 #include "medium/outside_column.hpp"
 #include "medium/upside_down.hpp"
-#include "optics/data_folder.hpp"
 #include "scene/environment_values.hpp"
 #include "scene/forward_settings.hpp"
 #include "scene/walk_settings.hpp"
@@ -162,16 +162,15 @@ std::uint64_t batch_photons(const scene::Simulation& simulation) {
   return photons;
 }
 
-scene::Check optics_check() {
-  return [library = std::shared_ptr<const optics::Library>()](const scene::Scene& scene,
-                                                              scene::Findings& findings) mutable {
-    const bool is_the_scene = !library;  // asked about first; its environments have its settings
-    if (!library) library = std::make_shared<const optics::Library>(optics::find_data_folder());
+scene::Check optics_check(std::shared_ptr<const optics::Library> library) {
+  return [library = std::move(library)](const scene::Scene& scene, scene::Findings& findings,
+                                        scene::Asked asked) {
     check_walk_attenuation(scene, medium::check_medium(scene, *library, findings), findings);
     medium::check_environments(scene, *library, findings);
     check_focus(scene, findings);
     if (!scene.is_of_spherical_air()) check_round_earth(scene, findings);
-    if (is_the_scene) check_unused_settings(scene, *library, findings);
+    // Environments have the settings of the scene.
+    if (asked == scene::Asked::of_scene) check_unused_settings(scene, *library, findings);
   };
 }
 
@@ -251,12 +250,12 @@ std::vector<double> radiance_depths(const Model& model) {
 
 }  // namespace
 
-Model make_model(const scene::Scene& scene) {
-  const optics::Library library(optics::find_data_folder());
+Model make_model(const scene::Scene& scene, const optics::Library& library) {
   const bool air_alone = scene.is_of_air_alone();
-  auto medium = air_alone ? medium::build_air_alone(scene) : medium::build_medium(scene, library);
+  auto medium =
+      air_alone ? medium::build_air_alone(scene, library) : medium::build_medium(scene, library);
   check_instruments(scene, medium);
-  auto air = air_alone ? std::nullopt : medium::build_air(scene, medium.line);
+  auto air = air_alone ? std::nullopt : medium::build_air(scene, library, medium.line);
   scene::Scene effective = scene;
   if (air_alone) effective.source.position_m.z -= medium.top.back();
   if (scene.source.is_everywhere && scene.is_of_spherical_air())
@@ -264,7 +263,7 @@ Model make_model(const scene::Scene& scene) {
   else if (scene.source.is_everywhere)
     effective.source.position_m.z = above_all(scene, air);
   auto columns = air ? columns_to(*air, heights_of(effective)) : std::vector<ColumnTables>{};
-  auto others = air && scene.has_environments() ? medium::other_airs(scene, medium.line)
+  auto others = air && scene.has_environments() ? medium::other_airs(scene, library, medium.line)
                                                 : std::vector<medium::OtherAir>{};
   if (!others.empty()) {
     medium.environments.excess_outside = medium::excess_depths(others, heights_of(effective));

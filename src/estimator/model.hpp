@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -88,12 +89,12 @@ struct Model {
   }
 };
 
-/// The check of a scene's optics, for scene::read_scene: whatever make_model would refuse. The
-/// data files are read once, when it is asked first.
-scene::Check optics_check();
+/// The check of a scene's optics, for scene::read_scene: whatever make_model would refuse. Several
+/// threads may ask it.
+scene::Check optics_check(std::shared_ptr<const optics::Library> library);
 
 /// Throws InputError for what optics_check finds, EnvironmentError for missing data files.
-Model make_model(const scene::Scene& scene);
+Model make_model(const scene::Scene& scene, const optics::Library& library);
 
 /// The same scene, simulated otherwise.
 Model simulated_by(const Model& model, const scene::Simulation& simulation);

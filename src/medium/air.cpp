@@ -13,7 +13,6 @@
 #include "medium/layer_optics.hpp"
 #include "optics/air_molecules.hpp"
 #include "optics/air_plausibility.hpp"
-#include "optics/data_folder.hpp"
 #include "optics/phase_functions.hpp"
 #include "scene/air_levels.hpp"
 
@@ -178,16 +177,14 @@ double Air::optical_depth(std::size_t line) const {
   return depth;
 }
 
-AirBuilder::AirBuilder(const scene::Scene& scene, const std::vector<Line>& lines) : lines_(lines) {
-  const std::string folder = optics::find_data_folder();
-  if (!scene.atmosphere->layer.empty()) {
-    library_.emplace(folder);
-    return;
-  }
-  of_air_.emplace(folder);
+AirBuilder::AirBuilder(const scene::Scene& scene, const optics::Library& library,
+                       const std::vector<Line>& lines)
+    : library_(library), lines_(lines) {
   const scene::Atmosphere& air = *scene.atmosphere;
+  if (!air.layer.empty()) return;
   for (;;) {
-    auto more = too_thick(*of_air_, in_layers(air), aerosols_of(air), lines.front().wavelength_nm);
+    auto more =
+        too_thick(library.air(), in_layers(air), aerosols_of(air), lines.front().wavelength_nm);
     if (more.empty()) return;
     halved_km_.push_back(std::move(more));
   }
@@ -228,14 +225,14 @@ optics::AirOptics AirBuilder::at(const scene::Scene& scene, double wavelength_nm
                                  optics::Phases phases) const {
   const scene::Atmosphere& atmosphere = *scene.atmosphere;
   if (!atmosphere.layer.empty()) return of_layers(scene, wavelength_nm);
-  auto air = optics::air_at(*of_air_, in_layers(atmosphere), aerosols_of(atmosphere), wavelength_nm,
-                            phases);
+  auto air = optics::air_at(library_.air(), in_layers(atmosphere), aerosols_of(atmosphere),
+                            wavelength_nm, phases);
   add_gases(atmosphere, wavelength_nm, air);
   return air;
 }
 
 optics::AirProfile AirBuilder::in_layers(const scene::Atmosphere& air) const {
-  auto profile = profile_to_top(air, whole_profile(air, *of_air_));
+  auto profile = profile_to_top(air, whole_profile(air, library_.air()));
   std::vector<double> rungs_km;
   for (const scene::AirGases& rung : air.gases) rungs_km.push_back(rung.top_km);
   profile = with_edges(std::move(profile), rungs_km);
@@ -244,7 +241,7 @@ optics::AirProfile AirBuilder::in_layers(const scene::Atmosphere& air) const {
 }
 
 optics::AirOptics AirBuilder::of_layers(const scene::Scene& scene, double wavelength_nm) const {
-  const LayerOptics optics_of(scene, *library_);
+  const LayerOptics optics_of(scene, library_);
   optics::AirOptics air;
   air.depolarisation = optics::air_depolarisation(wavelength_nm);
   air.profile_source = "given in the scene";
@@ -265,9 +262,10 @@ optics::AirOptics AirBuilder::of_layers(const scene::Scene& scene, double wavele
   return air;
 }
 
-std::optional<Air> build_air(const scene::Scene& scene, const std::vector<Line>& lines) {
+std::optional<Air> build_air(const scene::Scene& scene, const optics::Library& library,
+                             const std::vector<Line>& lines) {
   if (!scene.atmosphere) return std::nullopt;
-  return AirBuilder(scene, lines)(scene);
+  return AirBuilder(scene, library, lines)(scene);
 }
 
 std::vector<std::string> reported_air(const scene::Scene& scene, const Air& air) {

@@ -58,7 +58,8 @@ inline constexpr double air_depth_tolerance = 1e-3;
 class AirBuilder {
  public:
   /// Throws EnvironmentError for data that are missing or damaged.
-  AirBuilder(const scene::Scene& scene, const std::vector<Line>& lines);
+  AirBuilder(const scene::Scene& scene, const optics::Library& library,
+             const std::vector<Line>& lines);
 
   /// Returns the air of the scene, or of the scene in an environment; there must be an
   /// [atmosphere]. Throws InputError for what check_medium (medium/check.hpp) finds.
@@ -72,14 +73,14 @@ class AirBuilder {
   [[nodiscard]] optics::AirProfile in_layers(const scene::Atmosphere& air) const;
   [[nodiscard]] optics::AirOptics of_layers(const scene::Scene& scene, double wavelength_nm) const;
 
+  const optics::Library& library_;
   const std::vector<Line>& lines_;
-  std::optional<optics::AirLibrary> of_air_;    ///< of a profile
-  std::vector<std::vector<double>> halved_km_;  ///< edges that its layers are halved by in turn
-  std::optional<optics::Library> library_;      ///< of layers that are given outright
+  std::vector<std::vector<double>> halved_km_;  ///< edges that a profile's layers are halved by
 };
 
 /// None without an [atmosphere]. Throws as AirBuilder does.
-std::optional<Air> build_air(const scene::Scene& scene, const std::vector<Line>& lines);
+std::optional<Air> build_air(const scene::Scene& scene, const optics::Library& library,
+                             const std::vector<Line>& lines);
 
 /// The lines of `photic show` about the air.
 std::vector<std::string> reported_air(const scene::Scene& scene, const Air& air);

@@ -39,11 +39,11 @@ void add_ground(const scene::Scene& scene, Medium& medium) {
 
 }  // namespace
 
-Medium build_air_alone(const scene::Scene& scene) {
+Medium build_air_alone(const scene::Scene& scene, const optics::Library& library) {
   Medium medium;
   medium.line.push_back(
       {.process = Process::elastic, .wavelength_nm = scene.source.wavelength_nm, .counted_by = {}});
-  const Air air = build_air(scene, medium.line).value();
+  const Air air = build_air(scene, library, medium.line).value();
   medium.sources = air.sources;
   for (auto height = air.height_m.rbegin(); height != air.height_m.rend(); ++height)
     medium.top.push_back(air.height_m.back() - *height);

@@ -8,6 +8,6 @@ namespace photic::medium {
 
 /// The air of a scene that has no sea, above its ground. Its depths are from the top down, and its
 /// surface, the top, does nothing to light. Throws as build_air() does.
-Medium build_air_alone(const scene::Scene& scene);
+Medium build_air_alone(const scene::Scene& scene, const optics::Library& library);
 
 }  // namespace photic::medium

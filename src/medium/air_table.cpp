@@ -101,7 +101,7 @@ OpticalTable empty_table(const std::vector<double>& edge_m,
 
 }  // namespace
 
-OpticalTable air_table(const optics::AirLibrary& library, const optics::AirProfile& profile,
+OpticalTable air_table(const optics::Library& library, const optics::AirProfile& profile,
                        const optics::AerosolChoice& aerosols,
                        const std::vector<double>& wavelength_nm) {
   std::vector<double> edge_m;
@@ -109,14 +109,15 @@ OpticalTable air_table(const optics::AirLibrary& library, const optics::AirProfi
   OpticalTable table = empty_table(edge_m, wavelength_nm);
   Filler filler(table, false, false);
   for (std::size_t w = 0; w < wavelength_nm.size(); ++w)
-    filler.add(optics::air_at(library, profile, aerosols, wavelength_nm[w]), w);
+    filler.add(optics::air_at(library.air(), profile, aerosols, wavelength_nm[w]), w);
   return table;
 }
 
-OpticalTable air_table(const scene::Scene& scene, const std::vector<double>& wavelength_nm) {
+OpticalTable air_table(const scene::Scene& scene, const optics::Library& library,
+                       const std::vector<double>& wavelength_nm) {
   std::vector<Line> laser(1);
   laser.front().wavelength_nm = scene.source.wavelength_nm;
-  const AirBuilder build(scene, laser);
+  const AirBuilder build(scene, library, laser);
   OpticalTable table = empty_table(build(scene).height_m, wavelength_nm);
   Filler filler(table, !scene.atmosphere->layer.empty(), !scene.atmosphere->gases.empty());
   for (std::size_t w = 0; w < wavelength_nm.size(); ++w)

@@ -155,7 +155,8 @@ void check_environments(const scene::Scene& scene, const optics::Library& librar
     return;
   try {
     const Medium medium = build_medium(scene, library);
-    if (scene.atmosphere && !scene.atmosphere->layer.empty()) other_airs(scene, medium.line);
+    if (scene.atmosphere && !scene.atmosphere->layer.empty())
+      other_airs(scene, library, medium.line);
   } catch (const InputError& error) {
     for (const Diagnostic& d : error.diagnostics())
       findings.add(scene.environment.empty() ? "sensitivity" : "environment", d.reason,

@@ -65,8 +65,9 @@ class AirCoefficients {
 
 }  // namespace
 
-std::vector<OtherAir> other_airs(const scene::Scene& scene, const std::vector<Line>& lines) {
-  const AirBuilder build(scene, lines);
+std::vector<OtherAir> other_airs(const scene::Scene& scene, const optics::Library& library,
+                                 const std::vector<Line>& lines) {
+  const AirBuilder build(scene, library, lines);
   const Air here = build(scene);
   const auto in = [&](const scene::Environment& environment) {
     return environment.atmosphere == scene.atmosphere ? here

@@ -21,7 +21,8 @@ struct OtherAir {
 
 /// The airs of all environments of a scene with an [atmosphere], and then of all derivatives.
 /// Throws InputError where light is scattered in an environment where it never is in the scene.
-std::vector<OtherAir> other_airs(const scene::Scene& scene, const std::vector<Line>& lines);
+std::vector<OtherAir> other_airs(const scene::Scene& scene, const optics::Library& library,
+                                 const std::vector<Line>& lines);
 
 /// The excess depth of the air in each of them, straight up from the sea to heights [m],
 /// [environment][height][line]; 0 for heights below it.

@@ -7,15 +7,16 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "core/stop.hpp"
 #include "estimator/model.hpp"
 #include "run/run.hpp"
 #include "scene/tally_memory.hpp"
@@ -28,11 +29,12 @@ namespace photic::run {
 struct Ending {
   std::string stopped_by = "photons";  ///< photons | target | time | interrupt
   double wall_time_s = 0;              ///< of this sitting
+  double wall_time_before_s = 0;       ///< of earlier ones
   int threads = 0;
   std::optional<tally::TotalsState> whole;  ///< before an incomplete batch, if the run had one
 };
 
-/// Decides after each batch whether the run goes on, reports its progress, has checkpoints made.
+/// Decides after each batch whether the run goes on, and reports its progress.
 class RunControl {
  public:
   /// `photons_each`: the photons of a batch, if it is to have fewer than begin evenly spread, so
@@ -70,9 +72,14 @@ class RunControl {
   void look(tally::Totals& totals, std::uint64_t merged_batches) const;
   /// Called after that; true ends the run, and Ending says why.
   bool ends(const tally::Totals& totals, std::uint64_t merged_batches);
+  /// Called if the run is stopped within a batch.
+  void broken_off() { ending.stopped_by = "interrupt"; }
+
+  [[nodiscard]] std::stop_token stop() const { return options_.stop(); }
+  [[nodiscard]] Permits* permits() const { return options_.permits.get(); }
 
   Ending ending;
-  std::function<void(const tally::Totals&)> checkpoint;  ///< called when one is due
+  Monitor* shown_to = nullptr;  ///< pilots are not shown
 
  private:
   /// Returns whether rows rest that have met the target: where light that is not asked for is not
@@ -84,14 +91,13 @@ class RunControl {
   [[nodiscard]] static bool is_look(std::uint64_t merged_batches);
   [[nodiscard]] tally::Totals goes_on_from(const tally::Shape& shape) const;
   void report(const tally::Totals& totals);
-  void checkpoint_if_due(const tally::Totals& totals);
   [[nodiscard]] double elapsed_s() const;
 
   scene::Simulation asked_;
   const RunOptions& options_;
   std::uint64_t spread_photons_, batch_photons_, batches_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double reported_s_ = -1, next_checkpoint_s_;
+  std::optional<double> counted_s_;  ///< when gates were
 };
 
 /// The threads of one run.
@@ -110,12 +116,25 @@ class BatchRunner {
   }
 
   tally::Totals run() {
+    const std::stop_callback stopped(control_.stop(), [this] { unwanted_.request_stop(); });
     if (merged_ > 0) take_up();
     std::vector<std::jthread> workers;
     for (int i = 0; i < control_.ending.threads; ++i) workers.emplace_back([this] { work(); });
     workers.clear();
     if (failure_) std::rethrow_exception(failure_);
     return std::move(totals_);
+  }
+
+  /// A run on its way.
+  struct SoFar {
+    tally::Totals totals;
+    Ending ending;
+  };
+  /// A copy for another thread; none before the first batch end, nor at the end of the run.
+  std::optional<SoFar> so_far() {
+    const std::scoped_lock lock(mutex_);
+    if (ended_ || merged_ == 0) return std::nullopt;
+    return SoFar{totals_, control_.ending};
   }
 
  private:
@@ -146,27 +165,48 @@ class BatchRunner {
         merge_what_is_due();
         changed_.notify_all();
       }
+    } catch (const Stopped&) {
+      const std::scoped_lock lock(mutex_);
+      break_off();
     } catch (...) {
       const std::scoped_lock lock(mutex_);
       failure_ = std::current_exception();
-      ended_ = true;
-      changed_.notify_all();
+      end();
     }
+  }
+  /// Ends the run within a batch, unless it has ended.
+  void break_off() {
+    if (!ended_) control_.broken_off();
+    end();
+  }
+  /// Batches that are still under way are broken off: nobody wants them.
+  void end() {
+    ended_ = true;
+    unwanted_.request_stop();
+    changed_.notify_all();
   }
 
   /// Goes on from an earlier run, which may have been as long as this one is to be.
   void take_up() {
-    simulate(0, *free_.front());
+    try {
+      simulate(0, *free_.front());
+    } catch (const Stopped&) {
+      const std::scoped_lock lock(mutex_);
+      return break_off();
+    }
     control_.check_start(shape_, *free_.front());
     free_.front()->clear();
-    ended_ = control_.ends(totals_, merged_);
+    const std::scoped_lock lock(mutex_);
+    if (control_.ends(totals_, merged_)) end();
   }
 
   [[nodiscard]] bool is_known() const { return next_batch_ < control_.known_until(merged_); }
 
   void simulate(std::uint64_t batch, tally::BatchTally& tally) const {
+    const std::stop_token unwanted = unwanted_.get_token();
+    const Permit permit(control_.permits(), unwanted);
     tally.photons = control_.photons_of(batch);
-    simulator_.simulate(control_.first_photon_of(batch), tally.photons, tally);
+    simulator_.simulate(control_.first_photon_of(batch), tally.photons, tally, unwanted);
   }
 
   void merge_what_is_due() {
@@ -182,7 +222,7 @@ class BatchRunner {
       free_.push_back(std::move(tally));
       ++merged_;
       control_.look(totals_, merged_);
-      ended_ = control_.ends(totals_, merged_);
+      if (control_.ends(totals_, merged_)) end();
     }
   }
 
@@ -196,6 +236,7 @@ class BatchRunner {
   std::map<std::uint64_t, Tally> done_;
   std::uint64_t next_batch_, merged_;
   bool ended_ = false;
+  std::stop_source unwanted_;  ///< asked to stop at the end of the run
   std::exception_ptr failure_;
 };
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/stop.hpp"
 #include "estimator/model.hpp"
 #include "estimator/random_blocks.hpp"
 #include "estimator/unused_settings.hpp"
@@ -68,11 +69,13 @@ Candidate bidirectional(const scene::Scene& scene, double walk_attenuation,
 }
 
 /// The choice of `auto`.
-Candidate chosen_by_auto(const scene::Scene& scene, const RunOptions& pilots) {
+Candidate chosen_by_auto(const scene::Scene& scene, const optics::Library& library,
+                         const RunOptions& pilots) {
   scene::Scene open = scene;
   open.simulation.estimator = scene::Estimator::automatic;
   open.simulation.estimator_reason.reset();
-  const auto chosen = estimator::make_model(choose_estimator(open, pilots)).scene.simulation;
+  const auto chosen =
+      estimator::make_model(choose_estimator(open, library, pilots), library).scene.simulation;
   Candidate c = candidate(scene, chosen.estimator, "as auto chooses");
   c.simulation = chosen;
   c.simulation.batch_photons = scene.simulation.batch_photons;  // its repeats have fewer
@@ -82,10 +85,11 @@ Candidate chosen_by_auto(const scene::Scene& scene, const RunOptions& pilots) {
   return c;
 }
 
-std::vector<Candidate> candidates(const scene::Scene& scene, const RunOptions& pilots) {
-  const estimator::Model model = estimator::make_model(scene);
+std::vector<Candidate> candidates(const scene::Scene& scene, const optics::Library& library,
+                                  const RunOptions& pilots) {
+  const estimator::Model model = estimator::make_model(scene, library);
   const double highest_albedo = estimator::highest_albedo(model.medium);
-  std::vector<Candidate> out{chosen_by_auto(scene, pilots)};
+  std::vector<Candidate> out{chosen_by_auto(scene, library, pilots)};
   out.push_back(candidate(scene, scene::Estimator::forward, "forward, ray"));
   const scene::Simulation usual_forward = out.back().simulation;
   for (const auto& [directed_fraction, scored_points] : scene::forward_settings(scene)) {
@@ -133,8 +137,6 @@ std::vector<Candidate> candidates(const scene::Scene& scene, const RunOptions& p
   return out;
 }
 
-struct Interrupted {};
-
 double cpu_now_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Timed {
@@ -145,12 +147,13 @@ struct Timed {
 /// Runs of one candidate on threads; every one has random numbers of its own.
 class Bench {
  public:
-  Bench(scene::Scene scene, const Candidate& candidate, const BenchOptions& options)
+  Bench(scene::Scene scene, const optics::Library& library, const Candidate& candidate,
+        const BenchOptions& options)
       : options_(options), lanes_(candidate.lanes) {
     scene.simulation = candidate.simulation;
     scene.environment.clear();  // not all estimators have them
     scene.sensitivity.clear();
-    model_ = std::make_unique<estimator::Model>(estimator::make_model(scene));
+    model_ = std::make_unique<estimator::Model>(estimator::make_model(scene, library));
   }
 
   /// The photons of one.
@@ -168,13 +171,13 @@ class Bench {
     s.max_time_s = max_time_s;
     RunOptions quiet;
     quiet.threads = options_.threads;
-    quiet.interrupt = options_.interrupt;
+    quiet.monitor = options_.monitor;
     RunControl control(s, quiet);
     const double begin = cpu_now_s();
     Timed out{run_batches(*model_, control, lanes_)};
     out.cpu_s = cpu_now_s() - begin;
     s.seed = seed;
-    if (options_.interrupt != nullptr && options_.interrupt->load()) throw Interrupted{};
+    break_off_if(quiet.stop());
     return out;
   }
 
@@ -206,8 +209,9 @@ std::uint64_t photons_in(double cpu_s, double trial_cpu_s, Bench& bench, std::ui
 }
 
 void measure(Candidate& candidate, std::size_t place, const scene::Scene& scene,
-             const Comparison& comparison, double cpu_s, const BenchOptions& options) {
-  Bench bench(scene, candidate, options);
+             const optics::Library& library, const Comparison& comparison, double cpu_s,
+             const BenchOptions& options) {
+  Bench bench(scene, library, candidate, options);
   std::uint64_t number = 1 + place * (repeat_count + 1);  // 0 is the reference's
   candidate.photons = photons_in(cpu_s / repeat_count, trial_share * cpu_s, bench, number);
   const tally::Result& reference = comparison.reference;
@@ -240,7 +244,8 @@ void find_compared(Comparison& comparison) {
   }
 }
 
-Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
+Comparison compare_all(const scene::Scene& scene, const optics::Library& library,
+                       const BenchOptions& options) {
   const auto report = [&](const std::string& line) {
     if (options.report) options.report(line);
   };
@@ -254,10 +259,10 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   out.repeats = repeat_count;
   out.aim = aim_of(scene.simulation);
   report("the reference");
-  const double albedo = estimator::highest_albedo(estimator::make_model(scene).medium);
+  const double albedo = estimator::highest_albedo(estimator::make_model(scene, library).medium);
   const Candidate best_known = bidirectional(scene, estimator::usual_walk_attenuation(albedo));
   out.reference_name = best_known.name;
-  Bench bench(scene, best_known, options);
+  Bench bench(scene, library, best_known, options);
   const Timed reference = bench.run(0, {}, reference_share * options.time_s);
   out.reference = bench.result(reference.totals);
   out.reference_cpu_s = reference.cpu_s;
@@ -265,14 +270,14 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   report("what auto chooses");
   RunOptions pilots;
   pilots.threads = options.threads;
-  pilots.interrupt = options.interrupt;
-  out.candidates = candidates(scene, pilots);
+  pilots.monitor = options.monitor;
+  out.candidates = candidates(scene, library, pilots);
   // The reference has had all threads for as long as the candidates have together.
   const double cpu_s = reference.cpu_s * (1 - reference_share) / reference_share /
                        static_cast<double>(out.candidates.size());
   for (std::size_t i = 0; i < out.candidates.size(); ++i) {
     report(out.candidates[i].name);
-    measure(out.candidates[i], i, scene, out, cpu_s, options);
+    measure(out.candidates[i], i, scene, library, out, cpu_s, options);
   }
   find_compared(out);
   return out;
@@ -318,12 +323,11 @@ const Candidate* best_of(const Comparison& comparison) {
 }
 
 std::optional<Comparison> compare_estimators(const scene::Scene& scene,
+                                             const optics::Library& library,
                                              const BenchOptions& options) {
   try {
-    return compare_all(scene, options);
-  } catch (const Interrupted&) {
-    return std::nullopt;
-  } catch (const InterruptedPilots&) {
+    return compare_all(scene, library, options);
+  } catch (const Stopped&) {
     return std::nullopt;
   }
 }

@@ -2,7 +2,6 @@
 // run's own error bar would flatter estimators whose large scores are rare.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -10,6 +9,8 @@
 #include <vector>
 
 #include "core/isa.hpp"
+#include "optics/library.hpp"
+#include "run/monitor.hpp"
 #include "run/rule.hpp"
 #include "scene/scene.hpp"
 #include "tally/result.hpp"
@@ -67,15 +68,16 @@ std::optional<double> merit_in(const Comparison& comparison, const Candidate& ca
 const Candidate* best_of(const Comparison& comparison);
 
 struct BenchOptions {
-  double time_s = 60;  ///< wall time: half for the reference, the rest for the candidates
-  int threads = 0;     ///< 0: all cores
-  const std::atomic<bool>* interrupt = nullptr;    ///< set to end it at the next batch end
+  double time_s = 60;          ///< wall time: half for the reference, the rest for the candidates
+  int threads = 0;             ///< 0: all cores
+  Monitor* monitor = nullptr;  ///< that may stop it
   std::function<void(const std::string&)> report;  ///< called with the step that begins, one line
 };
 
-/// Measures all candidates; none if interrupted. The amount of simulation goes by the clock, so no
+/// Measures all candidates; none if stopped. The amount of simulation goes by the clock, so no
 /// two answers are alike. Throws what run() throws.
 std::optional<Comparison> compare_estimators(const scene::Scene& scene,
+                                             const optics::Library& library,
                                              const BenchOptions& options);
 
 }  // namespace photic::run

@@ -135,10 +135,11 @@ estimator::Model without_light_of_air(estimator::Model model) {
 }
 
 /// A scene that names the bidirectional estimator, and leaves open whether walks are free.
-scene::Scene choose_free_walks(const scene::Scene& scene, const RunOptions& options) {
+scene::Scene choose_free_walks(const scene::Scene& scene, const optics::Library& library,
+                               const RunOptions& options) {
   const scene::Simulation& asked = scene.simulation;
   if (asked.free_telescope_meetings && asked.free_laser_meetings) return scene;
-  const auto model = without_light_of_air(estimator::make_model(scene));
+  const auto model = without_light_of_air(estimator::make_model(scene, library));
   const auto free = open_free_meetings(model, model.scene.simulation, options);
   std::vector<Contender> all;
   add_bidirectional(asked, "without free walks", free, all);
@@ -152,9 +153,10 @@ scene::Scene choose_free_walks(const scene::Scene& scene, const RunOptions& opti
 
 }  // namespace
 
-scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options) {
+scene::Scene choose_estimator(const scene::Scene& scene, const optics::Library& library,
+                              const RunOptions& options) {
   if (scene.simulation.estimator == scene::Estimator::bidirectional)
-    return choose_free_walks(scene, options);
+    return choose_free_walks(scene, library, options);
   if (scene.simulation.estimator != scene::Estimator::automatic) return scene;
   scene::Scene chosen = scene;
   scene::Simulation& simulation = chosen.simulation;
@@ -173,11 +175,11 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
     simulation.estimator_reason = "the bidirectional one cannot treat " + *reason;
     return chosen;
   }
-  estimator::Model model = estimator::make_model(scene);
+  estimator::Model model = estimator::make_model(scene, library);
   if (model.air) {
     scene::Scene walks = scene;
     walks.simulation.estimator = scene::Estimator::bidirectional;
-    const scene::Simulation free = choose_free_walks(walks, options).simulation;
+    const scene::Simulation free = choose_free_walks(walks, library, options).simulation;
     model.scene.simulation.free_telescope_meetings = free.free_telescope_meetings;
     model.scene.simulation.free_laser_meetings = free.free_laser_meetings;
   }

@@ -14,6 +14,7 @@ inline constexpr const char* reason_unseen =
 /// Simulation::estimator_reason; any other scene as it is. Candidates are compared by pilot runs
 /// with random numbers of their own, by variances and counted operations, never by a clock: the
 /// same scene always gets the same answer, whatever engine is to run it. Throws what run() throws.
-scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options);
+scene::Scene choose_estimator(const scene::Scene& scene, const optics::Library& library,
+                              const RunOptions& options);
 
 }  // namespace photic::run

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/stop.hpp"
 #include "estimator/make_world.hpp"
 #include "estimator/random_blocks.hpp"
 #include "estimator/walk_attenuation.hpp"
@@ -84,11 +85,14 @@ class Trial {
     model_.scene.simulation.photons = photons_ = batches * in_batch_;
     RunOptions quiet;
     quiet.threads = options.threads;
-    quiet.interrupt = options.interrupt;
+    quiet.monitor = options.monitor;
+    quiet.permits = options.permits;
     quiet.start = std::move(so_far_);
     RunControl control(model_.scene.simulation, quiet, in_batch_);
     tally::Totals totals = run_batches(model_, control, engine_of_pilots(options));
-    if (options.interrupt != nullptr && options.interrupt->load()) throw InterruptedPilots();
+    break_off_if(options.stop());
+    if (options.monitor != nullptr)
+      options.monitor->update([](Progress& progress) { ++progress.pilots_done; });
     tally::Result result = estimator::describe(model_);
     totals.fill(result);
     // By batches alone: what a pilot has not seen does not fall off as 1 / sqrt(photons).
@@ -127,6 +131,15 @@ class Trial {
   double operations_ = 0, scores_ = 0;
   Pilot pilot_, pilot_of_setting_;
 };
+
+/// Has a monitor know of pilots before they run.
+void announce(std::size_t pilots, const RunOptions& options) {
+  if (options.monitor == nullptr) return;
+  options.monitor->update([&](Progress& progress) {
+    progress.phase = Phase::choosing;
+    progress.pilots += pilots;
+  });
+}
 
 class Contest {
  public:
@@ -169,6 +182,7 @@ class Contest {
   }
 
   void stage(std::uint64_t batches) {
+    announce(staying_.size(), options_);
     for (const std::size_t i : staying_) {
       trials_[i].go_on_to(batches, options_);
       out_.standing[i].photons = trials_[i].photons();
@@ -233,6 +247,7 @@ class Contest {
     scene::Simulation changed = out_.simulation;
     setting.apply(changed);
     if (changed == out_.simulation || !affords(best.cost)) return;
+    announce(1, options_);
     trials_.emplace_back(model_, Contender{setting.name, changed}, in_batch_);
     trials_.back().go_on_to(batches_, options_);
     out_.operations += trials_.back().operations();
@@ -290,6 +305,7 @@ class Contest {
 
 PilotScores scores_of_first_pilot(const estimator::Model& model,
                                   const scene::Simulation& simulation, const RunOptions& options) {
+  announce(1, options);
   Trial trial(model, {{}, simulation}, min_in_batch);
   trial.go_on_to(first_batches, options);
   const double receivers = static_cast<double>(estimator::count_receivers(model));

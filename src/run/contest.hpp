@@ -55,7 +55,7 @@ struct Outcome {
 /// settings one after another, each with the best so far. Pilots have random numbers of their own.
 /// They are judged by variances and counted operations, never by a clock, and take at most a tenth
 /// of the operations that the simulation is expected to take, but for a first stage; `max_time_s`
-/// is not looked at. Throws InterruptedPilots, and what run() throws.
+/// is not looked at. Throws Stopped, and what run() throws.
 Outcome contend(const estimator::Model& model, const std::vector<Contender>& contenders,
                 const std::vector<Setting>& settings, const RunOptions& options);
 

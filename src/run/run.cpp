@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/stop.hpp"
 #include "estimator/model.hpp"
 #include "estimator/world.hpp"
 #include "run/batches.hpp"
@@ -101,14 +103,14 @@ void warn(tally::Result& result, const scene::Simulation& simulation) {
 /// The result of the totals so far but for their state; `stopped_by` says why they go no further.
 tally::Result result_of(const estimator::Model& model, const tally::Totals& totals,
                         const Ending& ending, const std::string& stopped_by,
-                        const RunOptions& options) {
+                        const std::optional<Isa>& lanes) {
   tally::Result result = estimator::describe(model);
   totals.fill(result);
-  result.engine = schedule::engine_name(options.lanes);
+  result.engine = schedule::engine_name(lanes);
   result.version = PHOTIC_VERSION;
   result.stopped_by = stopped_by;
   result.partial = stopped_by == "interrupt" || stopped_by == "checkpoint";
-  result.wall_time_s = ending.wall_time_s + (options.start ? options.start->wall_time_s : 0);
+  result.wall_time_s = ending.wall_time_before_s + ending.wall_time_s;
   result.threads = ending.threads;
   warn(result, model.scene.simulation);
   warn_of_ledger(result, model.scene.simulation);
@@ -134,6 +136,85 @@ void check_lanes(Isa isa) {
                 : fmt::format("leave it out, or choose {}", best)}});
 }
 
+using SharedModel = std::shared_ptr<const estimator::Model>;
+
+/// The model of a scene whose estimator has been chosen.
+SharedModel prepare(const scene::Scene& asked, const optics::Library& library,
+                    const RunOptions& options) {
+  try {
+    const scene::Scene scene = choose_estimator(asked, library, options);
+    auto model = std::make_shared<const estimator::Model>(estimator::make_model(scene, library));
+    break_off_if(options.stop());
+    return model;
+  } catch (const Stopped&) {
+    throw StoppedBeforeFirstBatch();
+  }
+}
+
+/// What a monitor makes results of. The run may have ended by then.
+Monitor::Builder builder(const SharedModel& model, std::optional<BatchRunner::SoFar> so_far,
+                         const std::optional<Isa>& lanes) {
+  if (!so_far) return nullptr;
+  return [model, lanes, so_far = std::move(so_far)](bool with_state) {
+    tally::Result result = result_of(*model, so_far->totals, so_far->ending, "checkpoint", lanes);
+    if (with_state) result.state = so_far->totals.state();
+    return result;
+  };
+}
+
+/// Shows the batches of a run to its monitor while they are simulated.
+class Shown {
+ public:
+  Shown(const SharedModel& model, RunControl& control, BatchRunner& runner,
+        const RunOptions& options)
+      : monitor_(options.monitor) {
+    if (monitor_ == nullptr) return;
+    control.shown_to = monitor_;
+    monitor_->update([&](Progress& progress) {
+      const scene::Simulation& asked = model->scene.simulation;
+      progress.phase = Phase::running;
+      progress.photons_before = options.start ? options.start->state.photons : 0;
+      progress.photons = progress.photons_before;
+      progress.photons_asked = asked.photons;
+      progress.max_time_s = asked.max_time_s;
+      progress.target = asked.target_relative_error;
+    });
+    monitor_->show(
+        [=, &runner, lanes = options.lanes] { return builder(model, runner.so_far(), lanes); });
+  }
+  Shown(const Shown&) = delete;
+  Shown& operator=(const Shown&) = delete;
+  ~Shown() {
+    if (monitor_ != nullptr) monitor_->hide();
+  }
+
+ private:
+  Monitor* monitor_;
+};
+
+/// Has a monitor see the end of a run, with a result or without.
+class Ended {
+ public:
+  explicit Ended(Monitor* monitor) : monitor_(monitor) {}
+  Ended(const Ended&) = delete;
+  Ended& operator=(const Ended&) = delete;
+  ~Ended() {
+    if (monitor_ == nullptr) return;
+    monitor_->update([](Progress& progress) { progress.phase = Phase::ended; });
+  }
+
+ private:
+  Monitor* monitor_;
+};
+
+/// Simulates, for all to see. What that takes besides the totals is gone at its end.
+tally::Totals simulate(const SharedModel& model, RunControl& control, const RunOptions& options) {
+  const auto simulator = schedule::make_simulator(*model, options.lanes);
+  BatchRunner runner(*model, *simulator, control);
+  const Shown shown(model, control, runner, options);
+  return runner.run();
+}
+
 }  // namespace
 
 tally::Totals run_batches(const estimator::Model& model, RunControl& control,
@@ -141,26 +222,21 @@ tally::Totals run_batches(const estimator::Model& model, RunControl& control,
   return BatchRunner(model, *schedule::make_simulator(model, lanes), control).run();
 }
 
-tally::Result run(const scene::Scene& asked, const RunOptions& options) {
+tally::Result run(const scene::Scene& asked, const optics::Library& library,
+                  const RunOptions& options) {
+  const Ended ended(options.monitor);
   if (options.lanes) check_lanes(*options.lanes);
   if (options.lanes && asked.is_of_spherical_air())
     throw InputError({{.file = "--engine lanes",
                        .reason = "spherical air is followed in double, by the scalar engine alone",
                        .suggestion = "leave out --engine and --isa"}});
-  const scene::Scene scene = choose_estimator(asked, options);
-  const estimator::Model model = estimator::make_model(scene);
-  RunControl control(scene.simulation, options);
-  if (options.checkpoints.write) {
-    control.checkpoint = [&](const tally::Totals& totals) {
-      tally::Result result = result_of(model, totals, control.ending, "checkpoint", options);
-      result.state = totals.state();
-      options.checkpoints.write(result);
-    };
-  }
-  tally::Totals totals = run_batches(model, control, options.lanes);
-  Ending& ending = control.ending;
-  tally::Result result = result_of(model, totals, ending, ending.stopped_by, options);
-  result.state = ending.whole ? std::move(*ending.whole) : std::move(totals).state();
+  const SharedModel model = prepare(asked, library, options);
+  RunControl control(model->scene.simulation, options);
+  tally::Totals totals = simulate(model, control, options);
+  if (totals.state().batches == 0) throw StoppedBeforeFirstBatch();
+  const Ending& ending = control.ending;
+  tally::Result result = result_of(*model, totals, ending, ending.stopped_by, options.lanes);
+  result.state = ending.whole ? std::move(control.ending.whole) : std::move(totals).state();
   return result;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 // Batches until the target is first looked at, which doubles until it is so many.
 constexpr std::uint64_t first_look = 32, between_looks = 128;
-constexpr double seconds_between_reports = 0.2;
+constexpr double seconds_between_counts = 0.2;
 
 [[noreturn]] void refuse(const Start& start, const std::string& reason,
                          const std::string& suggestion) {
@@ -25,12 +25,12 @@ RunControl::RunControl(const scene::Simulation& asked, const RunOptions& options
     : asked_(asked),
       options_(options),
       spread_photons_(estimator::batch_photons(asked)),
-      batch_photons_(photons_each.value_or(spread_photons_)),
-      next_checkpoint_s_(options.checkpoints.first_s) {
+      batch_photons_(photons_each.value_or(spread_photons_)) {
   constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
   batches_ = asked.photons ? (*asked.photons + batch_photons_ - 1) / batch_photons_ : unlimited;
   const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   ending.threads = options.threads > 0 ? options.threads : cores;
+  if (options.start) ending.wall_time_before_s = options.start->wall_time_s;
 }
 
 std::uint64_t RunControl::photons_of(std::uint64_t batch) const {
@@ -110,33 +110,24 @@ bool RunControl::ends(const tally::Totals& totals, std::uint64_t merged_batches)
     return because("target");
   }
   if (asked_.max_time_s && ending.wall_time_s >= *asked_.max_time_s) return because("time");
-  if (options_.interrupt != nullptr && options_.interrupt->load()) return because("interrupt");
-  checkpoint_if_due(totals);
-  return false;
+  return stop().stop_requested() && because("interrupt");
 }
 
 void RunControl::report(const tally::Totals& totals) {
-  const double now = ending.wall_time_s;
-  if (!options_.progress || (reported_s_ >= 0 && now - reported_s_ < seconds_between_reports))
-    return;
-  reported_s_ = now;
-  Progress progress;
-  progress.photons = totals.photons();
-  progress.photons_before = options_.start ? options_.start->state.photons : 0;
-  progress.photons_asked = asked_.photons;
-  progress.elapsed_s = now;
-  progress.max_time_s = asked_.max_time_s;
-  progress.gates_converged = totals.converged_cells();
-  progress.gates = totals.scored_cells();
-  progress.worst_error = totals.worst_error();
-  progress.target = asked_.target_relative_error;
-  options_.progress(progress);
-}
-
-void RunControl::checkpoint_if_due(const tally::Totals& totals) {
-  if (!checkpoint || ending.wall_time_s < next_checkpoint_s_) return;
-  checkpoint(totals);
-  next_checkpoint_s_ = elapsed_s() + options_.checkpoints.every_s;
+  if (shown_to == nullptr) return;
+  shown_to->update([&](Progress& progress) {
+    progress.photons = totals.photons();
+    progress.elapsed_s = ending.wall_time_s;
+  });
+  if (counted_s_ && ending.wall_time_s - *counted_s_ < seconds_between_counts) return;
+  counted_s_ = ending.wall_time_s;
+  const std::size_t converged = totals.converged_cells(), gates = totals.scored_cells();
+  const double worst = totals.worst_error();
+  shown_to->update([&](Progress& progress) {
+    progress.gates_converged = converged;
+    progress.gates = gates;
+    progress.worst_error = worst;
+  });
 }
 
 double RunControl::elapsed_s() const {

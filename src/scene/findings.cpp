@@ -35,7 +35,8 @@ auto rank(const Diagnostic& d, const std::string& scene_file) {
 
 Finding found(const std::string& path, const Place& place, std::string reason,
               std::string suggestion) {
-  return {{place.file, place.line, place.column, std::move(reason), std::move(suggestion)}, path};
+  return {{place.file, place.line, place.column, std::move(reason), std::move(suggestion), path},
+          path};
 }
 
 }  // namespace

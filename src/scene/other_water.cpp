@@ -229,7 +229,7 @@ Scene OtherWater::read() {
     comparison.compare_seas(*sea, *sea_here);
   comparison.compare_airs(reference_.written.find("atmosphere"), here.find("atmosphere"));
   comparison.compare_oils("oil", reference_.written.find("oil"), here.find("oil"));
-  if (reference_.check) reference_.check(scene, findings_);
+  if (reference_.check) reference_.check(scene, findings_, Asked::of_environment);
   return scene;
 }
 

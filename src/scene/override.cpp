@@ -13,6 +13,28 @@
 namespace photic::scene {
 namespace {
 
+std::optional<std::size_t> number(const std::string& key) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
+  if (error == std::errc::invalid_argument || end != key.data() + key.size()) return std::nullopt;
+  return error == std::errc() ? index : static_cast<std::size_t>(-1);
+}
+
+std::optional<std::size_t> named(const Node::Array& array, const std::string& name) {
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    const Node* given = array[i].find("name");
+    if (given && given->as<std::string>() && *given->as<std::string>() == name) return i;
+  }
+  return std::nullopt;
+}
+
+/// The place in an array to which a number or a name leads, there or not; none for a name that
+/// nothing has.
+std::optional<std::size_t> place_in(const Node::Array& array, const std::string& key) {
+  const auto index = number(key);
+  return index ? index : named(array, key);
+}
+
 /// One change on its way down the document.
 class Assignment {
  public:
@@ -64,7 +86,7 @@ class Assignment {
   }
 
   Node* element(Node::Array& array, const std::string& key, const std::string& parent) {
-    const std::optional<std::size_t> index = number(key) ? number(key) : named(array, key);
+    const std::optional<std::size_t> index = place_in(array, key);
     if (index && *index < array.size()) return &array[*index];
     if (index)
       refuse(fmt::format("there is no element {} in {}", key, parent),
@@ -73,21 +95,6 @@ class Assignment {
       refuse(fmt::format("nothing in {} is called '{}'", parent, key),
              suggestion_for(key, names_in(array), "its names and numbers"));
     return nullptr;
-  }
-
-  static std::optional<std::size_t> number(const std::string& key) {
-    std::size_t index = 0;
-    const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
-    if (error == std::errc::invalid_argument || end != key.data() + key.size()) return std::nullopt;
-    return error == std::errc() ? index : static_cast<std::size_t>(-1);
-  }
-
-  static std::optional<std::size_t> named(const Node::Array& array, const std::string& name) {
-    for (std::size_t i = 0; i < array.size(); ++i) {
-      const Node* given = array[i].find("name");
-      if (given && given->as<std::string>() && *given->as<std::string>() == name) return i;
-    }
-    return std::nullopt;
   }
 
   static std::vector<std::string> names_in(const Node::Array& array) {
@@ -104,17 +111,6 @@ class Assignment {
   Findings& findings_;
 };
 
-std::vector<std::string> split(const std::string& path) {
-  std::vector<std::string> keys(1);
-  for (const char c : path) {
-    if (c == '.')
-      keys.emplace_back();
-    else
-      keys.back() += c;
-  }
-  return keys;
-}
-
 /// Joins a path that is one key as a whole: "environment.0.set.sea.layer.0.name",
 /// "environment_grid.sea.…".
 void join_changed_path(std::vector<std::string>& keys) {
@@ -126,18 +122,66 @@ void join_changed_path(std::vector<std::string>& keys) {
   keys.resize(first + 1);
 }
 
+/// The keys of a path: none of them is empty if it can lead anywhere.
+std::vector<std::string> keys_of(const std::string& path) {
+  std::vector<std::string> keys(1);
+  for (const char c : path) {
+    if (c == '.')
+      keys.emplace_back();
+    else
+      keys.back() += c;
+  }
+  join_changed_path(keys);
+  return keys;
+}
+
+/// `Value`: a Node, or a const one.
+template <class Value>
+Value* child(Value& node, const std::string& key) {
+  auto* array = node.template as<Node::Array>();
+  if (!array) return node.find(key);
+  const auto index = place_in(*array, key);
+  return index && *index < array->size() ? &(*array)[*index] : nullptr;
+}
+
+void erase_child(Node& node, const std::string& key) {
+  if (auto* array = node.as<Node::Array>())
+    array->erase(array->begin() + static_cast<std::ptrdiff_t>(*place_in(*array, key)));
+  else
+    std::erase_if(*node.as<Node::Table>(), [&](const Entry& entry) { return entry.key == key; });
+}
+
 }  // namespace
+
+const Node* find(const std::string& path, const Node& document) {
+  const Node* node = &document;
+  for (const std::string& key : keys_of(path)) {
+    node = child(*node, key);
+    if (!node) return nullptr;
+  }
+  return node;
+}
+
+void take_away(const std::string& path, const Place& place, Node& document, Findings& findings) {
+  Node* node = &document;
+  const std::vector<std::string> keys = keys_of(path);
+  for (const std::string& key : keys) {
+    Node* next = child(*node, key);
+    if (!next) return findings.add_at(place, fmt::format("there is no '{}' to take away", key), "");
+    if (&key == &keys.back()) return erase_child(*node, key);
+    node = next;
+  }
+}
 
 std::optional<std::string> assign(const std::string& path, Node value, const Place& place,
                                   Node& document, Findings& findings) {
-  std::vector<std::string> keys = split(path);
+  const std::vector<std::string> keys = keys_of(path);
   Assignment assignment(place, findings);
   if (std::find(keys.begin(), keys.end(), "") != keys.end()) {
     assignment.refuse("there is an empty name in the path",
                       "write names and numbers with dots between");
     return std::nullopt;
   }
-  join_changed_path(keys);
   return assignment.apply(document, keys, std::move(value));
 }
 

@@ -16,6 +16,12 @@ namespace photic::scene {
 std::optional<std::string> assign(const std::string& path, Node value, const Place& place,
                                   Node& document, Findings& findings);
 
+/// Takes the value away to which such a path leads. Says at `place` why it cannot be.
+void take_away(const std::string& path, const Place& place, Node& document, Findings& findings);
+
+/// The value to which such a path leads; null if there is none.
+const Node* find(const std::string& path, const Node& document);
+
 /// Makes an environment's changes. Returns the paths of those that could be made, by numbers.
 std::vector<std::string> make_changes(const std::vector<Change>& changes, Node& document,
                                       Findings& findings);

@@ -65,24 +65,6 @@ void expect_text(const std::string& path, const std::string& bytes) {
                 "scenes are TOML files: photic new ship prints one");
 }
 
-std::string text_of(const std::string& path) {
-  std::error_code unknown;
-  const auto status = std::filesystem::status(path, unknown);
-  if (status.type() == std::filesystem::file_type::not_found)
-    refuse_file(path, "there is no such file", "photic new ship -o FILE writes a scene");
-  if (std::filesystem::is_directory(status))
-    refuse_file(path, "this is a folder and not a scene", "name a scene file in it");
-  const auto fail = [&](const std::string& why) {
-    throw EnvironmentError("cannot read the scene " + path + ": " + why);
-  };
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail(std::generic_category().message(errno));
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (file.bad()) fail("reading failed");
-  expect_text(path, text);
-  return text;
-}
-
 /// Texts of the scene that are names of files, whatever keys they stand under.
 void add_files(const Node& node, const std::filesystem::path& folder,
                std::vector<std::string>& files) {
@@ -100,7 +82,7 @@ void add_files(const Node& node, const std::filesystem::path& folder,
 void check_together(const Node& document, const Check& check, const Scene& scene,
                     Findings& findings) {
   Findings again(document, findings.end());
-  check(scene, again);
+  check(scene, again, Asked::of_environments);
   for (const auto& [what, path] : again.problems())
     findings.add_at({what.file, what.line, what.column}, what.reason, what.suggestion);
 }
@@ -110,7 +92,7 @@ void check_together(const Node& document, const Check& check, const Scene& scene
 void read_on(const Node& document, const Layered& layered, const Check& check, Scene& scene,
              Findings& findings) {
   try {
-    if (check) check(scene, findings);
+    if (check) check(scene, findings, Asked::of_scene);
     read_sensitivities(document, check, scene, findings);
     read_environments(layered, check, scene, findings);
     check_estimator(scene, findings);
@@ -210,13 +192,41 @@ Scene scene_of(const Node& document, const std::optional<std::string>& folder, F
   return scene;
 }
 
+std::string text_of_scene(const std::string& path) {
+  std::error_code unknown;
+  const auto status = std::filesystem::status(path, unknown);
+  if (status.type() == std::filesystem::file_type::not_found)
+    refuse_file(path, "there is no such file", "photic new ship -o FILE writes a scene");
+  if (std::filesystem::is_directory(status))
+    refuse_file(path, "this is a folder and not a scene", "name a scene file in it");
+  const auto fail = [&](const std::string& why) {
+    throw EnvironmentError("cannot read the scene " + path + ": " + why);
+  };
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(std::generic_category().message(errno));
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad()) fail("reading failed");
+  expect_text(path, text);
+  return text;
+}
+
+Node document_of(const std::string& text, const std::string& name) {
+  Node document = parse_toml(text, name);
+  document.place = end_of(text, name);
+  return document;
+}
+
 Reading read_scene_text(const std::string& text, const std::string& name, const std::string& folder,
                         const std::vector<Override>& overrides, const Check& check,
                         const NetcdfFiles& netcdf) {
-  Node document = parse_toml(text, name);
-  document.place = end_of(text, name);
+  Node document = document_of(text, name);
   Findings findings(document, document.place);
   for (const Override& override_text : overrides) apply_override(override_text, document, findings);
+  return read_document(document, folder, findings, check, netcdf);
+}
+
+Reading read_document(Node& document, const std::string& folder, Findings& findings,
+                      const Check& check, const NetcdfFiles& netcdf) {
   std::vector<std::string> files;
   add_files(document, folder, files);
   expand_grid(document, findings);
@@ -244,8 +254,9 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
 
 Reading read_scene(const std::string& path, const std::vector<Override>& overrides,
                    const Check& check, const NetcdfFiles& netcdf) {
-  return read_scene_text(text_of(path), path, std::filesystem::path(path).parent_path().string(),
-                         overrides, check, netcdf);
+  return read_scene_text(text_of_scene(path), path,
+                         std::filesystem::path(path).parent_path().string(), overrides, check,
+                         netcdf);
 }
 
 }  // namespace photic::scene

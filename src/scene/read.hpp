@@ -7,6 +7,7 @@
 
 #include "scene/findings.hpp"
 #include "scene/netcdf_files.hpp"
+#include "scene/node.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::scene {
@@ -22,11 +23,16 @@ struct Reading {
   std::vector<std::string> files;    ///< that the scene names, which nothing should replace
 };
 
+/// The order in which a check is asked.
+enum class Asked {
+  of_scene,         ///< its environments being unknown
+  of_environment,   ///< of the scene in one of them (scene_in)
+  of_environments,  ///< of the scene with all of them known
+};
+
 /// A check of the whole scene that this folder is too low for (estimator/model.hpp has the one of
-/// the optics). Its findings are reported with all others. It is asked about the scene, and then
-/// about the scene in each of its environments (scene_in), and for the scene with all of them
-/// known.
-using Check = std::function<void(const Scene&, Findings&)>;
+/// the optics). Its findings are reported with all others.
+using Check = std::function<void(const Scene&, Findings&, Asked)>;
 
 /// Reads and checks a scene file. Throws InputError with every problem (a TOML syntax error stands
 /// alone) and for what is no text file, EnvironmentError if the file cannot be read. Files the
@@ -39,6 +45,18 @@ Reading read_scene(const std::string& path, const std::vector<Override>& overrid
 Reading read_scene_text(const std::string& text, const std::string& name, const std::string& folder,
                         const std::vector<Override>& overrides = {}, const Check& check = {},
                         const NetcdfFiles& netcdf = {});
+
+/// The text of a scene as a tree, whose own place is the end of the text. Throws InputError for a
+/// syntax error.
+Node document_of(const std::string& text, const std::string& name);
+
+/// The text of a scene file. Throws as read_scene.
+std::string text_of_scene(const std::string& path);
+
+/// The same for a tree of values, in which profiles and grids are put in full. `findings`: on that
+/// tree, so far.
+Reading read_document(Node& document, const std::string& folder, Findings& findings,
+                      const Check& check = {}, const NetcdfFiles& netcdf = {});
 
 /// The effective scene as TOML, every default written out; reads back to the same scene, to the
 /// last bit.

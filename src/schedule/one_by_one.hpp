@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/stop.hpp"
 #include "estimator/forward/history.hpp"
 #include "schedule/simulator.hpp"
 
@@ -19,12 +20,13 @@ class HistoriesOneByOne final : public SetSimulator {
   [[nodiscard]] std::unique_ptr<Arrivals> no_arrivals() const override {
     return std::make_unique<List>(world_);
   }
-  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
-           Arrivals* passed) const override {
-    follow(tally, passed, first, count);
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Arrivals* passed,
+           const std::stop_token& stop) const override {
+    follow(stop, tally, passed, first, count);
   }
-  void run(Arrivals& arrivals, tally::BatchTally& tally, Arrivals* passed) const override {
-    follow(tally, passed, static_cast<List&>(arrivals).photons);
+  void run(Arrivals& arrivals, tally::BatchTally& tally, Arrivals* passed,
+           const std::stop_token& stop) const override {
+    follow(stop, tally, passed, static_cast<List&>(arrivals).photons);
   }
 
  private:
@@ -37,11 +39,12 @@ class HistoriesOneByOne final : public SetSimulator {
 
   /// `from`: as follow_in() takes it.
   template <class... From>
-  void follow(tally::BatchTally& tally, Arrivals* passed, From&&... from) const {
+  void follow(const std::stop_token& stop, tally::BatchTally& tally, Arrivals* passed,
+              From&&... from) const {
     List none(world_);
-    estimator::follow_in(
-        world_, tally, (passed != nullptr ? static_cast<List&>(*passed) : none).photons,
-        [](const auto&) {}, std::forward<From>(from)...);
+    estimator::follow_in(world_, tally,
+                         (passed != nullptr ? static_cast<List&>(*passed) : none).photons,
+                         BreakOff(stop), std::forward<From>(from)...);
   }
 
   estimator::World<T> world_;

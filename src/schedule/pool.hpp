@@ -70,10 +70,11 @@ class Pool {
     run(tally, witness);
   }
   /// Follows the photons that have come from the other medium.
-  void run(Passed& arrivals, tally::BatchTally& tally) {
+  template <class Witness>
+  void run(Passed& arrivals, tally::BatchTally& tally, Witness witness) {
     next_ = count_ = 0;
     arrivals_ = &arrivals;
-    run(tally, [](const auto&...) {});
+    run(tally, witness);
     arrivals_ = nullptr;
   }
   /// Sets the list that takes the photons that go on to the other medium.

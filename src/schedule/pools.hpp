@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/stop.hpp"
 #include "schedule/pool.hpp"
 #include "schedule/spares.hpp"
 
@@ -18,12 +19,14 @@ class Pools final : public SetSimulator {
   [[nodiscard]] std::unique_ptr<Arrivals> no_arrivals() const override {
     return std::make_unique<Passed>(world_);
   }
-  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
-           Arrivals* passed) const override {
-    lend(passed, [&](auto& pool) { pool.run(first, count, tally, [](const auto&...) {}); });
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Arrivals* passed,
+           const std::stop_token& stop) const override {
+    lend(passed, [&](auto& pool) { pool.run(first, count, tally, BreakOff(stop)); });
   }
-  void run(Arrivals& arrivals, tally::BatchTally& tally, Arrivals* passed) const override {
-    lend(passed, [&](auto& pool) { pool.run(static_cast<Passed&>(arrivals), tally); });
+  void run(Arrivals& arrivals, tally::BatchTally& tally, Arrivals* passed,
+           const std::stop_token& stop) const override {
+    lend(passed,
+         [&](auto& pool) { pool.run(static_cast<Passed&>(arrivals), tally, BreakOff(stop)); });
   }
 
  private:

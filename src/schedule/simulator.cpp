@@ -14,7 +14,8 @@ Simulator::Simulator(estimator::Plan plan, const MakeSet& make) : plan_(std::mov
            "light goes on in sets that take arrivals");
 }
 
-void Simulator::simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const {
+void Simulator::simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
+                         const std::stop_token& stop) const {
   std::vector<std::unique_ptr<Arrivals>> arrivals;
   for (const auto& simulator : simulators_) arrivals.push_back(simulator->no_arrivals());
   const auto waits = [](const auto& list) { return list && !list->empty(); };
@@ -26,11 +27,13 @@ void Simulator::simulate(std::uint64_t first, std::uint64_t count, tally::BatchT
   };
   for (std::size_t i = 0; i < simulators_.size(); ++i)
     if (plan_.sets[i].from_laser)
-      run(i, [&](const auto& set, Arrivals* passed) { set.run(first, count, tally, passed); });
+      run(i,
+          [&](const auto& set, Arrivals* passed) { set.run(first, count, tally, passed, stop); });
   while (std::ranges::any_of(arrivals, waits))
     for (std::size_t i = 0; i < simulators_.size(); ++i)
       if (waits(arrivals[i]))
-        run(i, [&](const auto& set, Arrivals* passed) { set.run(*arrivals[i], tally, passed); });
+        run(i,
+            [&](const auto& set, Arrivals* passed) { set.run(*arrivals[i], tally, passed, stop); });
   tally.pass_to_wider();
 }
 

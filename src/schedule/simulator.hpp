@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 #include "estimator/plan.hpp"
@@ -19,7 +20,8 @@ class Arrivals {
   [[nodiscard]] virtual bool empty() const = 0;
 };
 
-/// Simulates one set of a plan. All threads share it.
+/// Simulates one set of a plan. All threads share it. Throws Stopped if it is stopped: then nobody
+/// knows how much of its light is in the tally.
 class SetSimulator {
  public:
   SetSimulator() = default;
@@ -32,10 +34,10 @@ class SetSimulator {
   /// Adds photons `first` … `first + count - 1` of the laser, the first of a batch and up, to a
   /// tally, and those that pass the surface to `passed`, which is there if light goes on.
   virtual void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
-                   Arrivals* passed) const = 0;
+                   Arrivals* passed, const std::stop_token& stop) const = 0;
   /// The same of photons from another set, which are taken out of their list.
-  virtual void run(Arrivals& /*arrivals*/, tally::BatchTally& /*tally*/,
-                   Arrivals* /*passed*/) const {}
+  virtual void run(Arrivals& /*arrivals*/, tally::BatchTally& /*tally*/, Arrivals* /*passed*/,
+                   const std::stop_token& /*stop*/) const {}
 };
 
 /// Runs a plan. All threads share it. Its scores depend on the photons alone.
@@ -45,8 +47,9 @@ class Simulator {
   Simulator(estimator::Plan plan, const MakeSet& make);
 
   /// Fills a clear tally with photons `first` … `first + count - 1`. The narrowest of nested views
-  /// that sees light scores it.
-  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const;
+  /// that sees light scores it. Throws Stopped as the simulators of sets do.
+  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
+                const std::stop_token& stop) const;
 
  private:
   estimator::Plan plan_;

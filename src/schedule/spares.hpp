@@ -11,7 +11,8 @@ namespace photic::schedule {
 template <class Tools>
 class Spares {
  public:
-  /// Calls use(tools) with some that nobody else uses, made by make() if there are none.
+  /// Calls use(tools) with some that nobody else uses, made by make() if there are none. If that
+  /// throws, they are not used again.
   template <class Make, class Use>
   void lend(Make make, Use use) {
     auto tools = take();

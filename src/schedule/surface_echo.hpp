@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/stop.hpp"
 #include "estimator/forward/surface_echo.hpp"
 #include "schedule/simulator.hpp"
 
@@ -14,9 +15,9 @@ class SurfaceEchoSimulator final : public SetSimulator {
  public:
   explicit SurfaceEchoSimulator(estimator::World<T> world) : world_(std::move(world)) {}
 
-  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
-           Arrivals* /*passed*/) const override {
-    estimator::surface_echo<Ledger>(world_, first, count, tally);
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Arrivals* /*passed*/,
+           const std::stop_token& stop) const override {
+    estimator::surface_echo<Ledger>(world_, first, count, tally, BreakOff(stop));
   }
 
  private:

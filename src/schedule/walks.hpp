@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/stop.hpp"
 #include "estimator/analog/analog.hpp"
 #include "estimator/bidirectional/bidirectional.hpp"
 #include "schedule/simulator.hpp"
@@ -19,10 +20,10 @@ class WalksSimulator final : public SetSimulator {
  public:
   explicit WalksSimulator(estimator::World<T> world) : world_(std::move(world)) {}
 
-  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
-           Arrivals* /*passed*/) const override {
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Arrivals* /*passed*/,
+           const std::stop_token& stop) const override {
     walks_.lend([&] { return std::make_unique<Walks>(world_, at_once(world_)); },
-                [&](auto& walks) { walks.run(first, count, tally); });
+                [&](auto& walks) { walks.run(first, count, tally, BreakOff(stop)); });
   }
 
  private:
@@ -50,12 +51,13 @@ class AnalogSimulator final : public SetSimulator {
   [[nodiscard]] std::unique_ptr<Arrivals> no_arrivals() const override {
     return std::make_unique<List>();
   }
-  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
-           Arrivals* passed) const override {
-    follow(tally, passed, first, count);
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Arrivals* passed,
+           const std::stop_token& stop) const override {
+    follow(stop, tally, passed, first, count);
   }
-  void run(Arrivals& arrivals, tally::BatchTally& tally, Arrivals* passed) const override {
-    follow(tally, passed, static_cast<List&>(arrivals).photons);
+  void run(Arrivals& arrivals, tally::BatchTally& tally, Arrivals* passed,
+           const std::stop_token& stop) const override {
+    follow(stop, tally, passed, static_cast<List&>(arrivals).photons);
   }
 
  private:
@@ -64,15 +66,13 @@ class AnalogSimulator final : public SetSimulator {
 
     estimator::AnalogPassed<T> photons;
   };
-  struct Unwatched {
-    void operator()(const auto&...) const {}
-  };
 
   template <class... From>
-  void follow(tally::BatchTally& tally, Arrivals* passed, From&&... from) const {
+  void follow(const std::stop_token& stop, tally::BatchTally& tally, Arrivals* passed,
+              From&&... from) const {
     List none;
     auto& photons = (passed != nullptr ? static_cast<List&>(*passed) : none).photons;
-    estimator::Analog<T, Ledger>(world_, tally, photons).run(from..., Unwatched());
+    estimator::Analog<T, Ledger>(world_, tally, photons).run(from..., BreakOff(stop));
   }
 
   estimator::World<T> world_;

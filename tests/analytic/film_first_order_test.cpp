@@ -9,12 +9,12 @@
 #include <cmath>
 
 #include "core/constants.hpp"
-#include "optics/data_folder.hpp"
 #include "optics/library.hpp"
 #include "optics/oil.hpp"
 #include "optics/refractive_index.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::test {
 namespace {
@@ -50,8 +50,7 @@ double passes_bare(double water, double sine_in_air) {
 // Seen red: with the laser's wavelength for the way out; with the way out alone.
 TEST(FirstOrder, ThroughAFilmOfOil) {
   constexpr double laser = 355, thickness = 2;
-  const optics::Library library(optics::find_data_folder());
-  const auto oil = optics::oil(library, "weakly-absorbing-crude");
+  const auto oil = optics::oil(*test::tables(), "weakly-absorbing-crude");
   for (const double deg : {0.0, 40.0}) {
     const double sine = std::sin(deg * radian_per_degree);
     const std::string place =
@@ -109,8 +108,7 @@ double fluence(double depth, double deviation, double index, double c, Passes pa
 TEST(FirstOrder, ThroughAFilmOfOilOnWaves) {
   constexpr double laser = 355, thickness = 8, deviation = 0.15, a = 0.1, b = 0.1, height = 2000;
   constexpr double lens = 0.5, nearest = 0.5, farthest = 12.5;
-  const optics::Library library(optics::find_data_folder());
-  const auto oil = optics::oil(library, "weakly-absorbing-crude");
+  const auto oil = optics::oil(*test::tables(), "weakly-absorbing-crude");
   const std::string scene = fmt::format(
       "[[environment]]\nname = \"clean\"\nset = {{ \"oil.thickness_um\" = 0.0 }}\n"
       "[source]\nwavelength_nm = {0}\n{1}diameter_m = 0.01\nhalf_divergence_mrad = 0.05\n"

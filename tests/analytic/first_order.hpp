@@ -15,6 +15,7 @@
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/slant_path.hpp"
+#include "support/tables.hpp"
 #include "support/z_test.hpp"
 
 namespace photic::test {
@@ -144,7 +145,7 @@ inline void compare(const std::string& toml,
     SCOPED_TRACE(precision.simulation);
     const auto scene = read(toml + precision.simulation);
     if (equations.empty()) {
-      const auto model = estimator::make_model(scene);
+      const auto model = estimator::make_model(scene, *test::tables());
       for (std::size_t t = 0; t < scene.telescope.size(); ++t) {
         for (std::size_t c = 0; c < phase_of_channel.size(); ++c)
           equations.push_back(expected(model, t, c, phase_of_channel[c]));

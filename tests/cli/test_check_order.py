@@ -32,6 +32,12 @@ PLANTED = {
     ("src/estimator/tallies/x.hpp", '#include "estimator/forward/history.hpp"'):
         "what all estimators stand on must not include estimator/forward",
     ("apps/photic/x.cpp", '#include "output.hpp"'): '"output.hpp" is in no floor of src/',
+    ("src/run/x.cpp", '  std::fprintf(stderr, "x");'): "prints: that is for applications",
+    ("src/run/x.cpp", "  std::cout << 1;"): "prints: that is for applications",
+    ("src/run/x.cpp", "  std::exit(2);"): "ends the process: that is for applications",
+    ("src/run/x.cpp", '  const char* folder = std::getenv("PHOTIC_DATA");'): "reads the environment: that is for applications",
+    ("src/run/x.cpp", "  static int calls = 0;"): "has a variable that all runs would share: that is for applications",
+    ("src/run/x.cpp", "thread_local int calls;"): "has a variable that all runs would share: that is for applications",
 }
 
 
@@ -58,3 +64,12 @@ def test_an_empty_tree_is_no_success(tmp_path):
     done = check(tmp_path)
     assert done.returncode == 1
     assert "no C++ files" in done.stdout
+
+
+def test_what_leaves_the_process_alone_may_stay(tmp_path):
+    (tmp_path / "src/run").mkdir(parents=True)
+    (tmp_path / "src/run/x.hpp").write_text(
+        "  static const int all = 3;\n  static constexpr int all = 3;\n  static double mean(const std::vector<double>& x);\n"
+        "  std::snprintf(text, 3, form);  // not printf()\n"
+    )
+    assert check(tmp_path).returncode == 0

@@ -18,10 +18,23 @@ def test_version(photic):
     assert (Path(data.removeprefix("data: ")) / "water_mason_2016.csv").is_file()
 
 
+# Seen red: with the environment's folder not looked at; with only that.
+def test_version_names_the_folder_of_the_data(photic, tmp_path):
+    unset = {key: value for key, value in os.environ.items() if key != "PHOTIC_DATA"}
+    own = Path(__file__).parents[2] / "data"
+    for environment in (unset, unset | {"PHOTIC_DATA": ""}):
+        [*_, data] = photic("--version", env=environment).stdout.splitlines()
+        assert Path(data.removeprefix("data: ")).samefile(own)
+    (tmp_path / "water_mason_2016.csv").touch()
+    [*_, data] = photic("--version", env=unset | {"PHOTIC_DATA": str(tmp_path)}).stdout.splitlines()
+    assert data == f"data: {tmp_path}"
+
+
 def test_version_where_the_data_are_missing(photic, tmp_path):
     done = photic("--version", env=os.environ | {"PHOTIC_DATA": str(tmp_path)})
     assert done.returncode == 0
-    assert f"data: no data tables in {tmp_path} (named by PHOTIC_DATA)" in done.stdout
+    wrong = f"data: no data tables in {tmp_path} (named by PHOTIC_DATA): it has no water_mason_2016.csv"
+    assert done.stdout.splitlines()[-1] == wrong
 
 
 COMMANDS = ["run", "plot", "new", "check", "show", "optics", "bench", "schema", "help"]

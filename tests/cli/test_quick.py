@@ -15,10 +15,10 @@ def chosen(*folders):
 @pytest.mark.parametrize(
     "folder, labels",
     [
-        ("src/io", "io"),
+        ("src/io", "io session"),
         ("tests/unit/tally/totals_test.cpp", "tally"),
-        ("src/lanes/queue.hpp", "lanes estimator schedule run"),
-        ("tally", "tally lanes estimator schedule run io"),
+        ("src/lanes/queue.hpp", "lanes estimator schedule run session"),
+        ("tally", "tally lanes estimator schedule run io session"),
     ],
 )
 def test_folders_and_the_floors_that_include_them(folder, labels):

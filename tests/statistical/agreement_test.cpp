@@ -12,6 +12,7 @@
 #include "support/runs.hpp"
 #include "support/scalar_engines.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 #include "support/z_test.hpp"
 
 namespace photic::test {
@@ -29,11 +30,11 @@ std::string ship(const std::string& layers, const std::string& channels, double 
 // many in the count.
 TEST(Agreement, DirectedSamplingAndPlainWalk) {
   const auto layers = water(0.1, 0.2, broad_phase);
-  const auto directed =
-      run::run(read(ship(layers, channel("elastic"), 2e6, "directed_fraction = 0.5")));
+  const auto directed = run::run(
+      read(ship(layers, channel("elastic"), 2e6, "directed_fraction = 0.5")), *test::tables());
   auto plain_scene = read(ship(layers, channel("elastic"), 8e6, "directed_fraction = 0.0"));
   plain_scene.simulation.seed = 6;
-  compare(directed, run::run(plain_scene), 14);
+  compare(directed, run::run(plain_scene, *test::tables()), 14);
 }
 
 // Inelastic echoes do not depend on how often light is converted or directed, or whether it is
@@ -48,11 +49,12 @@ TEST(Agreement, ConversionProbabilityDoesNotMatter) {
       broad_phase + "\n";
   const auto channels = channel("elastic") + channel("raman") + channel("chlorophyll");
   const auto often = run::run(
-      read(ship(algae, channels, 2e6, "conversion_probability = 0.5\ndirected_fraction = 0.3")));
+      read(ship(algae, channels, 2e6, "conversion_probability = 0.5\ndirected_fraction = 0.3")),
+      *test::tables());
   auto rare =
       read(ship(algae, channels, 4e6, "conversion_probability = 0.1\ndirected_fraction = 0.0"));
   rare.simulation.seed = 6;
-  compare(often, run::run(rare), 50);
+  compare(often, run::run(rare, *test::tables()), 50);
 }
 
 // Water cut into layers of the same water is the same water. Seen red: with depths instead of
@@ -66,10 +68,11 @@ TEST(Agreement, OneLayerOrThree) {
   const std::string cut = "[[sea.layer]]\nbottom_depth_m = 4.0\n" + properties +
                           "[[sea.layer]]\nbottom_depth_m = 9.5\n" + properties + "[[sea.layer]]\n" +
                           properties;
-  const auto one = run::run(read(ship(water(0.06, 0.1, broad_phase), channel("elastic"), 2e6, "")));
+  const auto one = run::run(read(ship(water(0.06, 0.1, broad_phase), channel("elastic"), 2e6, "")),
+                            *test::tables());
   auto three = read(ship(cut, channel("elastic"), 2e6, ""));
   three.simulation.seed = 6;
-  const auto in_three = run::run(three);
+  const auto in_three = run::run(three, *test::tables());
   compare(one, in_three, 18);
 
   // Slanting ways, that the echo in a narrow view shows little of. Nearly all shares are between 0
@@ -134,7 +137,7 @@ step_ns = 6.0
 
 template <class T>
 tally::Result run_in(const scene::Scene& scene, int threads) {
-  const auto model = estimator::make_model(scene);
+  const auto model = estimator::make_model(scene, *test::tables());
   run::RunOptions options;
   options.threads = threads;
   run::RunControl control(scene.simulation, options);
@@ -171,7 +174,7 @@ TEST(Agreement, BitsDoNotDependOnInstructions) {
       read(ship(algae, channel("elastic") + channel("raman"), 2e4, "directed_fraction = 0.5"));
   for (const auto estimator : {scene::Estimator::forward, scene::Estimator::bidirectional}) {
     scene.simulation.estimator = estimator;
-    const auto here = run::run(scene);
+    const auto here = run::run(scene, *test::tables());
     const auto anywhere = run_in<double>(scene, 2);
     EXPECT_GT(here.echo.mean.front(), 0);
     EXPECT_EQ(here.echo.mean, anywhere.echo.mean);
@@ -224,8 +227,8 @@ half_field_of_view_mrad = 150.0
                 "[gates]\nrange_min_m = 1.0\nrange_max_m = 7.0\nrange_step_m = 1.0\n" +
                 simulation(photons, seed, more));
   };
-  compare(run::run(rov("directed_fraction = 0.5", 5, 4e6)),
-          run::run(rov("directed_fraction = 0.1", 6, 6e6)), 6);
+  compare(run::run(rov("directed_fraction = 0.5", 5, 4e6), *test::tables()),
+          run::run(rov("directed_fraction = 0.1", 6, 6e6), *test::tables()), 6);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "support/runs.hpp"
 #include "support/same_light.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 #include "support/z_test.hpp"
 
 namespace photic::test {
@@ -329,7 +330,7 @@ tally::Result ship_in_air(const std::string& estimator, int layers, double a, do
            depth_gates(12, 2) +
            simulation(estimator == "forward" ? 4e4 : 8e3, 1,
                       "free_telescope_meetings = 0.1\nfree_laser_meetings = 0.1", estimator)),
-      options);
+      *test::tables(), options);
 }
 
 // Seen red: with layers above the first a millimetre thicker where ways through the air are

@@ -18,6 +18,7 @@
 #include "support/runs.hpp"
 #include "support/same_light.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 #include "support/z_test.hpp"
 
 namespace photic::test {
@@ -101,7 +102,7 @@ TEST(Columns, AreSeenAcrossAFace) {
           read(seen_across_face(2e5, fmt::format("scored_points = {}\norders_kept = 2", points)));
       run::RunOptions options;
       if (in_lanes) options.lanes = isa_of_tests();
-      const auto result = run::run(scene, options);
+      const auto result = run::run(scene, *test::tables(), options);
       const auto& orders = result.grid("echo_by_order");
       for (std::size_t gate = 0; gate < 8; ++gate) {
         const double from = 2 + static_cast<double>(gate);

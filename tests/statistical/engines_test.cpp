@@ -12,6 +12,7 @@
 #include "run/run.hpp"
 #include "schedule/engines.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::test {
 namespace {
@@ -83,11 +84,11 @@ TEST_P(Engines, Agree) {
         read(c.toml +
              simulation(forward ? c.photons_forward : c.photons_bidirectional, 31, "", estimator));
     run::RunOptions options;
-    const auto scalar = run::run(scene, options);
+    const auto scalar = run::run(scene, *test::tables(), options);
     for (const Isa isa : isas_here()) {
       SCOPED_TRACE(fmt::format("{}, {}", estimator, isa_name(isa)));
       options.lanes = isa;
-      const auto d = difference(run::run(scene, options), scalar);
+      const auto d = difference(run::run(scene, *test::tables(), options), scalar);
       std::printf("%s, %s: rms %.3f, largest %.3f standard errors in %zu gates\n",
                   estimator.c_str(), isa_name(isa), d.rms, d.largest, d.gates);
       EXPECT_GT(d.gates, 15U);

@@ -11,6 +11,7 @@
 #include "run/run.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::test {
 namespace {
@@ -79,7 +80,7 @@ tally::Result run_with(const Setup& s, const std::string& water, const std::stri
   auto out = scene(water);
   const auto changed = scene(other);
   out.environment.push_back({"other", {}, changed.optics, changed.sea});
-  return s.lanes ? run_in_lanes(out) : run::run(out);
+  return s.lanes ? run_in_lanes(out) : run::run(out, *test::tables());
 }
 
 /// Echoes in water with so much more absorption everywhere fade by the length of their path, which
@@ -173,7 +174,7 @@ TEST_P(EnvironmentPaths, ShineAsTheirYield) {
 tally::Result derivatives(const Setup& s, const std::string& parameters, const std::string& water,
                           const std::string& more) {
   return [&](const auto& scene) {
-    return s.lanes ? run_in_lanes(scene) : run::run(scene);
+    return s.lanes ? run_in_lanes(scene) : run::run(scene, *test::tables());
   }(read("sensitivity = [" + parameters + "]\n" +
          (s.submerged ? submerged_lidar : ship_instrument) + channel("elastic") +
          fmt::format("[sea]\ngroup_index = {}\n", group_index) + water +
@@ -230,7 +231,7 @@ TEST_P(EnvironmentPaths, HaveTheDerivativesThatSmallStepsHave) {
   auto all = scene(1);
   for (const double mg_m3 : {1 - step, 1 + step})
     all.environment.push_back({fmt::format("{}", mg_m3), {}, all.optics, scene(mg_m3).sea});
-  const auto result = GetParam().lanes ? run_in_lanes(all) : run::run(all);
+  const auto result = GetParam().lanes ? run_in_lanes(all) : run::run(all, *test::tables());
   const std::size_t cells = result.echo.mean.size();
   for (std::size_t i = 0; i < cells; ++i) {
     const auto& difference = result.environment_difference.mean;

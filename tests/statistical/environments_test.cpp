@@ -11,6 +11,7 @@
 #include "run/run.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 #include "support/z_test.hpp"
 
 namespace photic::test {
@@ -331,7 +332,7 @@ TEST(EnvironmentOf, WaterWithoutFluorescenceHasNoneToTheBit) {
 TEST(EnvironmentOf, LanesIsThatOfTheScalarEngine) {
   const auto scene = with(algae_scene(0.5, 45), {algae_scene(0.7, 1), algae_scene(0.3, 1)});
   const auto lanes = run_in_lanes(scene);
-  const auto scalar = run::run(scene);
+  const auto scalar = run::run(scene, *test::tables());
   std::size_t compared = 0;
   for (std::size_t i = 0; i < lanes.environment_difference.mean.size(); ++i) {
     const double error = scalar.environment_difference.standard_error[i];
@@ -356,7 +357,7 @@ TEST(EnvironmentOf, WindKeepsWhatWhitecapsSendOn) {
                           "[[environment]]\nset = { \"sea.surface.wind_speed_m_s\" = 10.04 }\n"
                           "[gates]\ndepth_min_m = -1.0\ndepth_max_m = 5.0\ndepth_step_m = 2.0\n" +
                           simulation(4e4, 47));
-  const auto lanes = run_in_lanes(scene), scalar = run::run(scene, {});
+  const auto lanes = run_in_lanes(scene), scalar = run::run(scene, *test::tables(), {});
   EXPECT_EQ(lanes.lost_not_finite, 0U);
   for (std::size_t i = 0; i < scalar.environment_echo.mean.size(); ++i) {
     EXPECT_NEAR(lanes.environment_echo.mean[i], scalar.environment_echo.mean[i],
@@ -375,13 +376,13 @@ TEST(EnvironmentOf, ThreadsAndSittingsDoNotMatter) {
   run::RunOptions options;
   options.threads = 3;
   options.lanes = isa_of_tests();
-  const auto once = run::run(scene, options);
+  const auto once = run::run(scene, *test::tables(), options);
   auto shorter = scene;
   shorter.simulation.photons = 17'000;
-  const auto first = run::run(shorter, options);
+  const auto first = run::run(shorter, *test::tables(), options);
   options.threads = 1;
   options.start = {.state = first.state.value(), .wall_time_s = 0, .file = "old.nc"};
-  const auto then = run::run(scene, options);
+  const auto then = run::run(scene, *test::tables(), options);
   EXPECT_EQ(then.environment_echo.mean, once.environment_echo.mean);
   EXPECT_EQ(then.environment_difference.standard_error, once.environment_difference.standard_error);
   EXPECT_EQ(then.environment_convergence_flags, once.environment_convergence_flags);

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "core/constants.hpp"
-#include "optics/data_folder.hpp"
 #include "optics/film.hpp"
 #include "optics/library.hpp"
 #include "optics/oil.hpp"
@@ -18,6 +17,7 @@
 #include "support/films.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 #include "support/z_test.hpp"
 
 namespace photic::test {
@@ -36,8 +36,7 @@ Echo first_order(const tally::Result& r, std::size_t channel) {
 /// film comes straight back.
 double expected(double height, double off_nadir_deg, double laser_nm, double centre_nm,
                 double fwhm_nm, double thickness_um) {
-  const optics::Library library(optics::find_data_folder());
-  const auto oil = optics::oil(library, "weakly-absorbing-crude");
+  const auto oil = optics::oil(*test::tables(), "weakly-absorbing-crude");
   const auto on_water = [&](double nm) {
     return optics::FilmOnWater<double>{
         {oil.refractive_index(nm), oil.absorption_per_m(nm) * thickness_um * 1e-6},
@@ -147,8 +146,7 @@ double over_facets(const optics::SlopeLaw& law, double off_nadir_deg,
 // Facets under oil, of slick waves seen towards the wind: light comes straight back.
 // Seen red: with the film level under its facets.
 TEST(OilFilm, ShinesOnWavesAsItsFacetsDo) {
-  const optics::Library library(optics::find_data_folder());
-  const auto oil = optics::oil(library, "weakly-absorbing-crude");
+  const auto oil = optics::oil(*test::tables(), "weakly-absorbing-crude");
   ZFamily family(0.01);
   for (const double deg : {0.0, 40.0}) {
     constexpr double um = 30, wind = 12;

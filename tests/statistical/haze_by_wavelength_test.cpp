@@ -12,6 +12,7 @@
 #include "support/runs.hpp"
 #include "support/same_light.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::test {
 namespace {
@@ -49,7 +50,7 @@ std::string dust_outright() {
   lines[0].wavelength_nm = laser_nm;
   lines[1] = {.process = scene::Process::chlorophyll, .wavelength_nm = chlorophyll_nm};
   const auto scene = read(lidar_in(dust, 1) + simulation(1, 1));
-  const auto air = medium::AirBuilder(scene, lines)(scene);
+  const auto air = medium::AirBuilder(scene, *test::tables(), lines)(scene);
   std::string out;
   for (std::size_t k = 0; k < air.layers(); ++k) {
     const auto table = air.phase(air.phases_of[1], k);

@@ -12,6 +12,7 @@
 #include "run/run.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::test {
 namespace {
@@ -39,7 +40,7 @@ scene::Scene lidar(const std::string& estimator, double start_ns, double gate_ns
 tally::Result run_in(std::optional<Isa> lanes, const scene::Scene& scene) {
   run::RunOptions options;
   options.lanes = lanes;
-  return run::run(scene, options);
+  return run::run(scene, *test::tables(), options);
 }
 
 /// The share that has left the emitter after a time.

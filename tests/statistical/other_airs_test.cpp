@@ -10,6 +10,7 @@
 #include "support/own_runs.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 #include "support/z_test.hpp"
 
 namespace photic::test {
@@ -149,7 +150,7 @@ TEST(OtherAirs, HaveDerivativesByTheAir) {
                           "[[environment]]\nset = {{ \"{1}\" = 0.1999 }}\n",
                           path, water) +
               simulation(photons, 11, frees, estimator)),
-          {});  // in double
+          *test::tables(), {});  // in double
       expect_derivative_by_steps(r, 0, 0, 0.00001, fmt::format("{}, {}, air", estimator, surface));
       expect_derivative_by_steps(r, 1, 2, 0.0001, fmt::format("{}, {}, water", estimator, surface));
     }

@@ -3,6 +3,7 @@
 
 #include "run/run.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::run {
 namespace {
@@ -26,7 +27,7 @@ tally::Result run_on(int threads, const scene::Scene& scene,
   options.lanes = isas_here().back();
   if (earlier != nullptr)
     options.start = {.state = *earlier->state, .wall_time_s = 0, .file = "old.nc"};
-  return run(scene, options);
+  return run(scene, *test::tables(), options);
 }
 
 void expect_same(const tally::Result& a, const tally::Result& b) {

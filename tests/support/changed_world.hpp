@@ -8,13 +8,14 @@
 #include "run/batches.hpp"
 #include "support/scalar_engines.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::test {
 
 /// A run in a world that is `change`d, one photon after the other, in double.
 template <class Change>
 tally::Result simulate_in(const std::string& scene, Change change) {
-  const auto model = estimator::make_model(read(scene));
+  const auto model = estimator::make_model(read(scene), *test::tables());
   auto world = estimator::make_world<double>(model);
   change(world);
   const run::RunOptions options;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "run/run.hpp"
+#include "support/tables.hpp"
 
 namespace photic::test {
 
@@ -29,7 +30,7 @@ inline std::uint64_t seeds_of_tests() {
 inline tally::Result run_in_lanes(const scene::Scene& scene) {
   run::RunOptions options;
   options.lanes = isa_of_tests();
-  return run::run(scene, options);
+  return run::run(scene, *test::tables(), options);
 }
 
 }  // namespace photic::test

@@ -13,6 +13,7 @@
 #include "support/absorbers.hpp"
 #include "support/lit_scenes.hpp"
 #include "support/runs.hpp"
+#include "support/tables.hpp"
 
 namespace photic::test {
 namespace {
@@ -73,7 +74,7 @@ TEST(Absorbers, UnderTheSun) {
       read(sun_at(60) + tally_of("irradiance", {depths, {0}}, slabs) + tally_of("boundaries") +
            Water::scene(index_of_water) + simulation(1e6, 3));
   expect_the_sun(run_in_lanes(scene), depths);
-  expect_the_sun(run::run(scene), depths);
+  expect_the_sun(run::run(scene, *test::tables()), depths);
 }
 
 // A lamp 1.5 m deep in water of the air's index, which points down: levels below it and above.
@@ -214,7 +215,7 @@ TEST(Absorbers, AtTheLampsOwnLevel) {
                                        "half_angle_deg = 180",
                                        -lamp_m)) +
              tally_of("irradiance", {{lamp_m}}, slabs) + Water::scene(1) + simulation(1e5, 8));
-    for (const auto& r : {run_in_lanes(scene), run::run(scene)}) {
+    for (const auto& r : {run_in_lanes(scene), run::run(scene, *test::tables())}) {
       const Known down = known(r, "irradiance_down");
       EXPECT_NEAR(down.value, 0.5, 4 * std::sqrt(0.25 / 1e5));
       EXPECT_EQ(known(r, "irradiance_up").value, 0);

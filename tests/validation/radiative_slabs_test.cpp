@@ -10,6 +10,7 @@
 #include "core/constants.hpp"
 #include "support/lit_scenes.hpp"
 #include "support/runs.hpp"
+#include "support/tables.hpp"
 #include "support/z_test.hpp"
 
 namespace photic::test {
@@ -36,7 +37,7 @@ TEST(RadiativeSlabs, VanDeHulst) {
       0, "1.0", layer_to(2, 0.1, 0.9, R"({ model = "henyey-greenstein", g = 0.75 })"), 5e5));
   ZFamily family(0.01);
   constexpr double digit = 0.5e-5;
-  for (const auto& r : {run_in_lanes(scene), run::run(scene)}) {
+  for (const auto& r : {run_in_lanes(scene), run::run(scene, *test::tables())}) {
     const Known up = reflected_by(r), down = known(r, "absorbed_by_bottom");
     std::printf("van de Hulst: R %.5f +- %.5f (0.09739), T %.5f +- %.5f (0.66096)\n", up.value,
                 up.error, down.value, down.error);

@@ -17,6 +17,7 @@
 #include "support/lit_scenes.hpp"
 #include "support/runs.hpp"
 #include "support/spherical_scenes.hpp"
+#include "support/tables.hpp"
 #include "support/z_test.hpp"
 #include "transport/emit.hpp"
 #include "transport/shell_flight.hpp"
@@ -35,7 +36,8 @@ struct Straight {
 };
 /// `stop_at`: the optical depths that flights end at before the last one.
 Straight straight_through(const std::string& scene, std::optional<double> stop_at = {}) {
-  const auto model = estimator::make_model(read(scene + ends + simulation(1000, 1)));
+  const auto model =
+      estimator::make_model(read(scene + ends + simulation(1000, 1)), *test::tables());
   const auto world = estimator::make_world<double>(model);
   Straight out;
   out.photon =
@@ -100,9 +102,10 @@ TEST(Shells, DiffuseLightIsAnothersCodes) {
   for (const Share& share : shares)
     for (const bool bend : {false, true})
       for (const std::string estimator : {"forward", "analog"}) {
-        const auto r = run::run(read(pencil_at(share.zenith_deg) + ends +
-                                     air_over(forty_layers(bend), planet_km) +
-                                     simulation(photons, 5, "", estimator)));
+        const auto r = run::run(
+            read(pencil_at(share.zenith_deg) + ends + air_over(forty_layers(bend), planet_km) +
+                 simulation(photons, 5, "", estimator)),
+            *test::tables());
         const Known ground = known(r, "absorbed_by_ground");
         const double expected =
             bend ? share.direct_bent + share.diffuse_bent : share.direct + share.diffuse;
@@ -142,7 +145,8 @@ TEST(Shells, OfAHugePlanetArePlanes) {
   for (const std::string& source : {slant, lamp}) {
     const auto result = [&](double radius_km, const std::string& estimator, int seed) {
       const auto r = run::run(read(source + tallies + air_over(fifty_layers(), radius_km, 0.3) +
-                                   simulation(photons, seed, "", estimator)));
+                                   simulation(photons, seed, "", estimator)),
+                              *test::tables());
       EXPECT_NEAR(known(r, "balance").value, 1, std::max(1e-5, 4 * known(r, "balance").error));
       return r;
     };
@@ -196,7 +200,8 @@ TEST(Shells, LightZonesOfThePlanet) {
   for (const double absorbed : {1.0, 0.2}) {
     const auto air = absorbing(forty_layers(), absorbed);
     const auto r = run::run(
-        read(sun_at(40) + ends + tally + air_over(air, planet_km) + simulation(photons, 3)));
+        read(sun_at(40) + ends + tally + air_over(air, planet_km) + simulation(photons, 3)),
+        *test::tables());
     double sum = 0;
     for (std::size_t z = 0; z + 1 < zones.size(); ++z)
       sum += known(r, "irradiance_down", z).value * 2 *
@@ -223,7 +228,8 @@ TEST(Shells, ReflectOffTheGroundAboutTheLocalVertical) {
   for (const std::string estimator : {"forward", "analog"}) {
     const auto r =
         run::run(read(sun_at(70) + ends + tally + air_over(forty_layers(), planet_km, 0.3) +
-                      simulation(2e4, 4, "", estimator)));
+                      simulation(2e4, 4, "", estimator)),
+                 *test::tables());
     const Known balance = known(r, "balance");
     EXPECT_NEAR(balance.value, 1, std::max(1e-9, 3 * balance.error)) << estimator;
     for (const std::size_t zone : {0U, 1U}) {
@@ -244,8 +250,8 @@ TEST(Shells, AreTheSameForBothEstimators) {
       ends + tally_of("irradiance", {{}, {0, 700, 9200, 60000}}, "zone_deg = [0, 50, 85, 180]");
   const std::string scene =
       sun_at(60) + tallies + air_over(absorbing(forty_layers(true), 0.6), planet_km, 0.5);
-  const auto forward = run::run(read(scene + simulation(photons, 8)));
-  const auto analog = run::run(read(scene + simulation(photons, 9, "", "analog")));
+  const auto forward = run::run(read(scene + simulation(photons, 8)), *test::tables());
+  const auto analog = run::run(read(scene + simulation(photons, 9, "", "analog")), *test::tables());
   ZFamily family(0.01);
   for (const tally::TallyEstimates& t : forward.tallies)
     for (std::size_t i = 0; i < t.mean.size(); ++i) {
@@ -284,7 +290,8 @@ TEST(Shells, MirrorLightAtASea) {
   for (const std::string estimator : {"forward", "analog"}) {
     const auto r =
         run::run(read(sun_at(20) + ends + tally_of("irradiance", {{}, {0}}, "zone_deg = [0, 180]") +
-                      sea + text_of(nothing) + simulation(photons, 6, "", estimator)));
+                      sea + text_of(nothing) + simulation(photons, 6, "", estimator)),
+                 *test::tables());
     const Known in = known(r, "absorbed_by_ground"), up = known(r, "irradiance_up");
     std::printf("sea, %s: %.5f +- %.5f (%.5f)\n", estimator.c_str(), 1 - in.value / ground,
                 in.error / ground, reflected);
@@ -295,7 +302,8 @@ TEST(Shells, MirrorLightAtASea) {
   }
   family.judge();
   // Each ray leaves as steeply as it came: a pencil's light, all of it, in one bin of 10 degrees.
-  const auto r = run::run(read(pencil_at(65) + ends + sea + text_of(nothing) + simulation(1e3, 7)));
+  const auto r = run::run(read(pencil_at(65) + ends + sea + text_of(nothing) + simulation(1e3, 7)),
+                          *test::tables());
   const Known escaped = known(r, "escaped", 6);
   EXPECT_NEAR(escaped.value, optics::refract(1.0, n, std::cos(65 * radian_per_degree)).reflectance,
               4 * escaped.error);

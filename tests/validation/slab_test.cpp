@@ -6,6 +6,7 @@
 
 #include "run/run.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 #include "support/z_test.hpp"
 
 namespace photic::test {
@@ -51,7 +52,7 @@ double error_bound(double share, std::uint64_t photons) {
 // free path on a log base 10; c / c' left out; absorption along the way left out; 1 % too little
 // booked as absorbed.
 TEST(Slab, VanDeHulst) {
-  const auto result = run::run(read(scene("1.0", van_de_hulst_layer, 0.0, 4e6)));
+  const auto result = run::run(read(scene("1.0", van_de_hulst_layer, 0.0, 4e6)), *test::tables());
   ZFamily family(0.01);
   family.add(result.ledger.escaped, 0.09739, error_bound(0.09739, result.photons), "reflectance");
   family.add(result.ledger.sea_bed, 0.66096, error_bound(0.66096, result.photons), "transmittance");
@@ -71,7 +72,8 @@ bottom_depth_m = 60.0
 iop = [ { wavelength_nm = 532.0, a_per_m = 0.1, b_per_m = 0.9 } ]
 phase_function = { model = "isotropic" }
 )",
-                                          0.0, 1e6)));
+                                          0.0, 1e6)),
+                               *test::tables());
   std::printf("R %.5f (0.2600)\n", result.ledger.escaped);
   // The table has four digits.
   EXPECT_NEAR(result.ledger.escaped, 0.2600, 5e-5 + 3 * error_bound(0.26, result.photons));
@@ -83,7 +85,9 @@ phase_function = { model = "isotropic" }
 // the way left out; with 1 % too little booked as absorbed.
 TEST(Slab, PhotonsAreConserved) {
   for (const double directed_fraction : {0.0, 0.1}) {
-    const auto l = run::run(read(scene("1.34", van_de_hulst_layer, directed_fraction, 4e6))).ledger;
+    const auto l =
+        run::run(read(scene("1.34", van_de_hulst_layer, directed_fraction, 4e6)), *test::tables())
+            .ledger;
     EXPECT_NEAR(l.sum(), 1.0, 1e-3) << directed_fraction;
   }
 }
@@ -96,7 +100,8 @@ bottom_depth_m = 5.0
 iop = [ { wavelength_nm = 532.0, a_per_m = 0.0, b_per_m = 1.0 } ]
 phase_function = { model = "henyey-greenstein", g = 0.75 }
 )",
-                                          0.0, 1e6)));
+                                          0.0, 1e6)),
+                               *test::tables());
   EXPECT_EQ(result.ledger.absorbed, 0.0);
   EXPECT_NEAR(result.ledger.escaped + result.ledger.sea_bed + result.ledger.roulette, 1.0, 1e-12);
   EXPECT_NEAR(result.ledger.roulette, 0.0, 1e-3);

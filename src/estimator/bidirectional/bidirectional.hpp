@@ -192,8 +192,10 @@ class Bidirectional {
                          world.slabs);
   }
 
-  /// Photons `first` … `first + count - 1`, the first of a batch and up.
-  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) {
+  /// Photons `first` … `first + count - 1`, the first of a batch and up. A witness is called after
+  /// each receiver's walks.
+  template <class Witness>
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Witness witness) {
     const auto laser = draws_of_laser<T>(world_.random, first);
     std::vector<WantedReceiver> back;
     for (const Receiver<T>& receiver : world_.walks.receivers)
@@ -205,7 +207,7 @@ class Bidirectional {
       const std::size_t left = count - done;
       const std::size_t walks = std::min(world_.walks.laser_walks, left);
       const std::size_t now = std::min(at_once_, left / walks * walks);
-      follow(static_cast<std::int32_t>(done), now, walks, laser, back, ledger, tally);
+      follow(static_cast<std::int32_t>(done), now, walks, laser, back, ledger, tally, witness);
       done += now;
     }
     tally.ledger += total(ledger);
@@ -231,8 +233,10 @@ class Bidirectional {
     return false;
   }
 
+  template <class Witness>
   void follow(std::int32_t first, std::size_t count, std::size_t walks, const Draws<T>& laser,
-              const std::vector<WantedReceiver>& back, Ledger& ledger, tally::BatchTally& tally) {
+              const std::vector<WantedReceiver>& back, Ledger& ledger, tally::BatchTally& tally,
+              Witness& witness) {
     // An echo is per photon emitted, and so are the samples.
     const Samples<T> samples{T(1),
                              world_.walks.connected,
@@ -253,6 +257,7 @@ class Bidirectional {
       FromTelescope<T, Ledger> from_telescope{{draws, first}, world_, receiver};
       WalkTracer(world_, samples, from_telescope, walks_back, tally).trace(count);
       connect(receiver, samples, walks_back, count, walks, tally);
+      witness(receiver);
     }
   }
 

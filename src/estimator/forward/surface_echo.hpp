@@ -25,10 +25,11 @@ void rise_to_surface(const World<T>& world, ForwardTracks<T>& t, Estimates<T>& e
   cross_surface<Events>(world, t, rises, false, estimates, tally, ledger, {});
 }
 
-/// Scores the echo of photons `first` … `first + count - 1` of a batch.
-template <class Events, class Ledger, class T>
+/// Scores the echo of photons `first` … `first + count - 1` of a batch. A witness is called with
+/// those that it has been scored of.
+template <class Events, class Ledger, class T, class Witness>
 void echo_of_surface(const World<T>& world, std::uint64_t first, std::uint64_t count,
-                     tally::BatchTally& tally) {
+                     tally::BatchTally& tally, const Witness& witness) {
   const Draws<T> draws = draws_of_laser<T>(world.random, first);
   std::vector<instrument::PlanePoint<T>> lens(lens_points(world));
   ForwardTracks<T> t(world, lens);
@@ -42,17 +43,18 @@ void echo_of_surface(const World<T>& world, std::uint64_t first, std::uint64_t c
                   estimates, tally, not_counted, {});
     if (!world.instruments.laser_region.outside)
       rise_to_surface<Events>(world, t, estimates, tally, not_counted);
+    witness(t);
   }
   flush_queues(world, estimates, tally);
 }
 /// The same by the events that the world asks for. Nothing else of the photons counts.
-template <class Ledger, class T>
+template <class Ledger, class T, class Witness>
 PHOTIC_APART void surface_echo(const World<T>& world, std::uint64_t first, std::uint64_t count,
-                               tally::BatchTally& tally) {
+                               tally::BatchTally& tally, const Witness& witness) {
   if (world.all_events)
-    echo_of_surface<AllEvents, Ledger>(world, first, count, tally);
+    echo_of_surface<AllEvents, Ledger>(world, first, count, tally, witness);
   else
-    echo_of_surface<PlainEvents, Ledger>(world, first, count, tally);
+    echo_of_surface<PlainEvents, Ledger>(world, first, count, tally, witness);
 }
 
 }  // namespace photic::estimator

@@ -11,6 +11,7 @@
 #include "estimator/make_world.hpp"
 #include "estimator/model.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::estimator {
 namespace {
@@ -21,7 +22,8 @@ World<double> world_with(const std::string& sampling) {
       make_model(read(ship_instrument + channel("elastic") +
                       water(0.06, 0.1, "{ model = \"isotropic\" }") + depth_gates(10, 2) +
                       simulation(1e4, 5, "batch_photons = 2000\nsampling = \"" + sampling + "\"",
-                                 "bidirectional")));
+                                 "bidirectional")),
+                 *test::tables());
   return make_world<double>(model);
 }
 
@@ -48,8 +50,8 @@ TEST(Draws, AreThereForAThousandTelescopes) {
     }
     return scene;
   };
-  EXPECT_NO_THROW((void)make_model(with(1023)));
-  EXPECT_THROW((void)make_model(with(1024)), InputError);
+  EXPECT_NO_THROW((void)make_model(with(1023), *test::tables()));
+  EXPECT_THROW((void)make_model(with(1024), *test::tables()), InputError);
 }
 
 // Seen red: with photons of later batches at other points than those of the first.

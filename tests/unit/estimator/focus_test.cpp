@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "instrument/telescope.hpp"
+#include "support/tables.hpp"
 #include "unit/scene/base_scene.hpp"
 
 namespace photic::estimator {
@@ -24,11 +25,11 @@ std::string seen_by(const std::string& telescope, const std::string& gates = "")
 }
 
 Texts remarks_on(const std::string& text) {
-  return scene::read_scene_text(text, "scene.toml", "/", {}, optics_check()).remarks;
+  return scene::read_scene_text(text, "scene.toml", "/", {}, optics_check(test::tables())).remarks;
 }
 
 Texts focus_of(const std::string& text) {
-  return reported_focus(make_model(scene::read_text(text)));
+  return reported_focus(make_model(scene::read_text(text), *test::tables()));
 }
 
 /// 12 m above the sea, with a lens of 0.4 m and f = 2 m.

@@ -7,6 +7,7 @@
 
 #include "estimator/model.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::estimator {
 namespace {
@@ -90,7 +91,7 @@ TEST(NestedViews, ShareSingleRaysAlone) {
 
 // What the tallies get of them. Seen red: with each telescope's next narrower one.
 TEST(NestedViews, AreInTheShapeOfTheTallies) {
-  const auto wider = make_model(four_telescopes()).shape.wider;
+  const auto wider = make_model(four_telescopes(), *test::tables()).shape.wider;
   EXPECT_EQ(wider, (decltype(wider){std::nullopt, std::nullopt, 3, 1}));
 }
 

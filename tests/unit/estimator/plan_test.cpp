@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "estimator/random_blocks.hpp"
 #include "scene/read.hpp"
+#include "support/tables.hpp"
 
 namespace photic::estimator {
 namespace {
@@ -57,7 +58,7 @@ std::string plan_of(const std::filesystem::path& file, const std::string& estima
   try {
     more.push_back({"simulation.estimator=" + estimator});
     const auto scene = scene::read_scene(file.string(), more);
-    const Model model = make_model(scene.scene);
+    const Model model = make_model(scene.scene, *test::tables());
     return text_of(make_plan(model));
   } catch (const InputError&) {
     return "refused";

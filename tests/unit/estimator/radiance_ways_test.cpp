@@ -10,6 +10,7 @@
 #include "estimator/tallies/radiance_ways.hpp"
 #include "support/absorbers.hpp"
 #include "support/lit_scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::estimator {
 namespace {
@@ -24,7 +25,8 @@ std::vector<RadianceWay> ways_to(double zenith_deg, const std::string& levels, b
                  fmt::format("[[tally]]\nkind = \"radiance\"\n{}\ndirection_deg = [[{}, 40]]\n",
                              levels, zenith_deg) +
                  air + fmt::format("[sea]\nrefractive_index = {}\n", n) +
-                 test::layer_to(10, 0.1, 0.2) + test::simulation(1e3, 1)));
+                 test::layer_to(10, 0.1, 0.2) + test::simulation(1e3, 1)),
+      *test::tables());
   const Model model = of_air ? model_of_air(water) : water;
   return radiance_ways(model.scene.tally.front(), model, model.paths.slabs(model.medium), 0);
 }

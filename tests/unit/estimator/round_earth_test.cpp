@@ -11,6 +11,7 @@
 
 #include "core/constants.hpp"
 #include "estimator/model.hpp"
+#include "support/tables.hpp"
 #include "unit/scene/base_scene.hpp"
 
 namespace photic::estimator {
@@ -27,7 +28,7 @@ Texts remarks_on(double height_m, double tilt_deg) {
                                   std::sin(tilt), -std::cos(tilt))},
                      {14, 14, "detector_diameter_m = 0.8"},
                      {19, 19, "[sea]\nrefractive_index = 1.34"}});
-  return scene::read_scene_text(text, "scene.toml", "/", {}, optics_check()).remarks;
+  return scene::read_scene_text(text, "scene.toml", "/", {}, optics_check(test::tables())).remarks;
 }
 
 std::string flat_and_round(const std::string& flat, const std::string& round) {
@@ -68,7 +69,8 @@ TEST(RoundEarth, IsThatOfTheLaserToo) {
       scene::edited({{4, 5, "position_m = [0, 0, 705e3]\ndirection = [1, 0, -1.7320508075688772]"},
                      {14, 14, "detector_diameter_m = 0.8"},
                      {27, 28, "range_min_m = 1\nrange_max_m = 50\nrange_step_m = 1"}});
-  const auto remarks = scene::read_scene_text(text, "scene.toml", "/", {}, optics_check()).remarks;
+  const auto remarks =
+      scene::read_scene_text(text, "scene.toml", "/", {}, optics_check(test::tables())).remarks;
   ASSERT_EQ(remarks.size(), 1U);
   EXPECT_TRUE(remarks[0].starts_with("scene.toml:5:13: the simulated sea is flat: ")) << remarks[0];
 }

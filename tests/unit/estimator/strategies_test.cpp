@@ -6,6 +6,7 @@
 
 #include "estimator/model.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::estimator {
 namespace {
@@ -21,8 +22,9 @@ const std::string elastic = test::channel("elastic"), raman = test::channel("ram
 const std::string down = "[0.0, 0.0, -1.0]", tilted = "[0.3, 0.0, -1.0]";
 
 Model model_of(const std::string& scene) {
-  return make_model(test::read(scene + test::depth_gates(12, 1) +
-                               test::simulation(1000, 1, "", "bidirectional")));
+  return make_model(
+      test::read(scene + test::depth_gates(12, 1) + test::simulation(1000, 1, "", "bidirectional")),
+      *test::tables());
 }
 Strategies strategies_of(const std::string& scene) {
   const Model model = model_of(scene);

@@ -6,6 +6,7 @@
 #include "estimator/model.hpp"
 #include "support/random.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 #include "unit/estimator/lidars.hpp"
 #include "unit/estimator/scores.hpp"
 
@@ -57,7 +58,7 @@ TEST(Rotations, AreForNoTiltedLaserInWaterThatConverts) {
         test::read(test::ship_instrument + channels + "[[sea.layer]]\nchlorophyll_mg_m3 = 1.0\n" +
                    test::depth_gates(16, 2) + test::simulation(1000, 1, "", "bidirectional"));
     if (direction == "tilted") scene.source.direction = {0.1, 0, -1};
-    const Model model = make_model(scene);
+    const Model model = make_model(scene, *test::tables());
     return make_world<double>(model).walks.uses.rotated;
   };
   const std::string elastic = test::channel("elastic");

@@ -9,6 +9,7 @@
 #include "estimator/make_world.hpp"
 #include "estimator/model.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::estimator {
 namespace {
@@ -19,7 +20,7 @@ World<double> world_with_tools(const std::string& tools) {
                  test::water(0.06, 0.1, test::peaked_phase) + test::depth_gates(30, 3) +
                  test::simulation(5000, 3, "[simulation.tools]\n" + tools));
   static std::deque<Model> problems;  // that the worlds look into
-  problems.push_back(make_model(scene));
+  problems.push_back(make_model(scene, *test::tables()));
   return make_world<double>(problems.back());
 }
 

@@ -8,6 +8,7 @@
 
 #include "estimator/model.hpp"
 #include "scene/read.hpp"
+#include "support/tables.hpp"
 #include "unit/scene/base_scene.hpp"
 
 namespace photic::estimator {
@@ -21,7 +22,7 @@ scene::Reading read(const std::string& simulation, const Overrides& overrides = 
   return scene::read_scene_text(scene::edited({{17, 17, channel},
                                                {23, 25, "[[sea.layer]]\nchlorophyll_mg_m3 = 1"},
                                                {30, 30, "photons = 1e6\n" + simulation}}),
-                                "scene.toml", "/", overrides, optics_check());
+                                "scene.toml", "/", overrides, optics_check(test::tables()));
 }
 
 /// The remarks on settings without effect; the first line of `simulation` is number 30.
@@ -174,9 +175,9 @@ TEST(UnusedSettings, OfFreeWalksThatCannotBe) {
 /// The simulation of a result.
 scene::Simulation effective(const std::string& simulation, const Overrides& overrides,
                             const std::string& channel) {
-  const Model model = make_model(read(simulation, overrides, channel).scene);
+  const Model model = make_model(read(simulation, overrides, channel).scene, *test::tables());
   const auto again = scene::read_scene_text(scene::write_scene(reported_scene(model)), "s", "/", {},
-                                            optics_check());
+                                            optics_check(test::tables()));
   for (const std::string& text : again.remarks)
     EXPECT_EQ(text.find("has no effect"), std::string::npos) << text;
   return model.scene.simulation;

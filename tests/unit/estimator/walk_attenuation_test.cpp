@@ -7,6 +7,7 @@
 
 #include "estimator/model.hpp"
 #include "scene/read.hpp"
+#include "support/tables.hpp"
 #include "unit/medium/scenes.hpp"
 #include "unit/medium/two_layers.hpp"
 #include "unit/scene/base_scene.hpp"
@@ -70,7 +71,7 @@ TEST(WalkAttenuation, RemarksOnWalksWhoseWeightsGrow) {
   const auto with = [](const std::string& lines) {
     return scene::read_scene_text(scene::edited({{30, 30, "photons = 1e6\n" + lines}}),
                                   "scene.toml", "/", {"telescope.0.detector_shift_m=0"},
-                                  optics_check())
+                                  optics_check(test::tables()))
         .remarks;
   };
   using Texts = std::vector<std::string>;

@@ -8,6 +8,7 @@
 #include "io/netcdf.hpp"
 #include "schedule/engines.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 #include "tally/totals.hpp"
 #include "unit/io/netcdf_file.hpp"
 #include "unit/io/temporary_folder.hpp"
@@ -18,9 +19,10 @@ namespace {
 struct Simulated {
   estimator::Model model = [] {
     using namespace test;
-    auto out = estimator::make_model(read(ship_instrument + channel("elastic") + channel("raman") +
-                                          three_layers + depth_gates(10, 2) +
-                                          simulation(1e4, 5, "batch_photons = 2000", "forward")));
+    auto out = estimator::make_model(
+        read(ship_instrument + channel("elastic") + channel("raman") + three_layers +
+             depth_gates(10, 2) + simulation(1e4, 5, "batch_photons = 2000", "forward")),
+        *test::tables());
     auto& grids = out.shape.grids;
     grids.push_back({.name = "echo_by_process_and_order",
                      .long_name = "by process and order",

@@ -2,18 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include "optics/data_folder.hpp"
+#include "support/tables.hpp"
 
 namespace photic::medium {
 namespace {
 
 // The values of air_at(), at its places. Seen red: with wavelengths and layers changed over.
 TEST(AirTable, HoldsTheLayersAtTheirPlaces) {
-  const optics::AirLibrary library(optics::find_data_folder());
+  const optics::AirLibrary& library = test::tables()->air();
   const optics::AirProfile profile = optics::with_aerosols(
       library, library.atmosphere("tropical"), 10, optics::AerosolProfiles::seasons.front());
   const std::vector<double> nm{300, 532, 1064};
-  const OpticalTable table = air_table(library, profile, {}, nm);
+  const OpticalTable table = air_table(*test::tables(), profile, {}, nm);
   ASSERT_EQ(table.layers() + 1, profile.z_km.size());
   EXPECT_EQ(table.of, Layered::air);
   EXPECT_TRUE(table.emission.empty() && table.a_exciting_per_m.empty());

@@ -34,7 +34,7 @@ Air air_of(const scene::Atmosphere& atmosphere, const std::vector<double>& wavel
     lines.emplace_back();
     lines.back().wavelength_nm = nm;
   }
-  return build_air(scene, lines).value();
+  return build_air(scene, library(), lines).value();
 }
 
 /// From the sea up to a height.
@@ -47,7 +47,9 @@ double depth_to(const Air& air, double height_m) {
   return depth;
 }
 
-TEST(Air, IsNoneWithoutAnAtmosphere) { EXPECT_FALSE(build_air(test::ship_scene(), {Line{}})); }
+TEST(Air, IsNoneWithoutAnAtmosphere) {
+  EXPECT_FALSE(build_air(test::ship_scene(), library(), {Line{}}));
+}
 
 // Bodhaine et al. 1999 at 1013.25 hPa, as in docs/theory.md; the profile begins at 1013 hPa and has
 // 0.02 % more, and the numbers have four digits: 0.1 %. Seen red: with heights in km; with lines
@@ -92,7 +94,8 @@ double aerosol_depth_of(const scene::Atmosphere& atmosphere, double laser_nm) {
   std::vector<Line> lines(1);
   lines[0].wavelength_nm = laser_nm;
   double depth = 0;
-  for (const auto& layer : AirBuilder(scene, lines).at(scene, 550, optics::Phases::left_out).layers)
+  for (const auto& layer :
+       AirBuilder(scene, library(), lines).at(scene, 550, optics::Phases::left_out).layers)
     depth +=
         (layer.aerosols_a_per_m + layer.aerosols_b_per_m) * 1e3 * (layer.top_km - layer.bottom_km);
   return depth;
@@ -169,7 +172,7 @@ TEST(Air, ReportsItsAerosolsAt550Nm) {
   scene.atmosphere = clear_air();
   scene.atmosphere->aerosol = "maritime";
   scene.atmosphere->aerosol_optical_depth_550 = 0.1234567;
-  const auto air = build_air(scene, {Line{.wavelength_nm = 532}}).value();
+  const auto air = build_air(scene, library(), {Line{.wavelength_nm = 532}}).value();
   const auto reported = reported_air(scene, air);
   EXPECT_EQ(std::ranges::count(reported, "optical depth of the aerosols at 550 nm: 0.1234567"), 1);
 }
@@ -309,7 +312,7 @@ TEST(Air, ScattersEachLineByItsOwnPhaseFunctions) {
   for (const scene::Atmosphere& of : {hazy_air("rural", 5), clear_air()}) {
     scene::Scene scene = test::ship_scene();
     scene.atmosphere = of;
-    const AirBuilder build(scene, lines);
+    const AirBuilder build(scene, library(), lines);
     const Air air = build(scene);
     EXPECT_EQ(air.phases_of, (std::vector<std::size_t>{0, 1, 1, 2}));
     ASSERT_EQ(air.phases.size(), 3U);
@@ -329,7 +332,7 @@ TEST(Air, OfLayersGivenWithPhaseFunctionsHasThemForAllLines) {
   auto& layers = scene.atmosphere->layer = {own_layer(0, 100, 1e-3)};
   const auto phases = [&] {
     const auto lines = lines_of_chlorophyll({540, 580});
-    return AirBuilder(scene, lines)(scene).phases.size();
+    return AirBuilder(scene, library(), lines)(scene).phases.size();
   };
   layers[0].iop[0].wavelength_nm = 300;
   EXPECT_EQ(phases(), 3U);  // of molecules

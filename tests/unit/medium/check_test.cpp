@@ -287,7 +287,7 @@ TEST(CheckMedium, RemarksOnChannelsThatCountNothing) {
 
 // Missing tables of Photic do not hide what is wrong with the scene.
 TEST(CheckMedium, ComesAfterTheSceneWhereTheDataAreMissing) {
-  const scene::Check no_data = [](const scene::Scene&, scene::Findings&) {
+  const scene::Check no_data = [](const scene::Scene&, scene::Findings&, scene::Asked) {
     throw EnvironmentError("no data");
   };
   EXPECT_EQ(scene::diagnostics_of(edited({{28, 28, "depth_step_m = -1"}}), {}, no_data).size(), 1U);

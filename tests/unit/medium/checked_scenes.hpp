@@ -10,7 +10,7 @@ namespace photic::medium {
 using scene::edited;
 using Texts = std::vector<std::string>;
 
-inline void check(const scene::Scene& scene, scene::Findings& findings) {
+inline void check(const scene::Scene& scene, scene::Findings& findings, scene::Asked) {
   check_medium(scene, library(), findings);
 }
 

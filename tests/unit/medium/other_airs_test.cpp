@@ -54,9 +54,9 @@ scene::Scene with_air(const scene::Atmosphere& air, const std::vector<scene::Atm
 /// straight up to heights.
 Medium expect_own(const scene::Scene& scene) {
   const Medium sea = medium_of(scene);
-  const AirBuilder build(scene, sea.line);
+  const AirBuilder build(scene, library(), sea.line);
   const Air here = build(scene);
-  const auto airs = other_airs(scene, sea.line);
+  const auto airs = other_airs(scene, library(), sea.line);
   const Medium all = upside_down(here, airs, sea, 500, 20e3);
   const std::vector<double> heights{12, 500, 20e3};
   const auto excess = excess_depths(airs, heights);
@@ -102,7 +102,7 @@ scene::Atmosphere of_depth(double aerosol_optical_depth_550) {
 TEST(OtherAirs, OfOpticalDepthsAreWhatTheirOwnWouldBe) {
   const auto scene = with_air(of_depth(0.3), {of_depth(0.12), of_depth(0.9), rural(8)});
   expect_own(scene);
-  const auto airs = other_airs(scene, medium_of(scene).line);
+  const auto airs = other_airs(scene, library(), medium_of(scene).line);
   EXPECT_NEAR(airs[0].from.depths->aerosols_550, 0.3, 1e-12);
   EXPECT_NEAR(airs[0].to.depths->aerosols_550, 0.12, 1e-12);
   EXPECT_NEAR(airs[1].to.depths->aerosols_550, 0.9, 1e-12);
@@ -119,7 +119,7 @@ TEST(OtherAirs, OfLayersAreWhatTheirOwnWouldBe) {
 TEST(OtherAirs, LeaveTheLayersOfTheScenesAir) {
   const auto layers = [](const std::vector<scene::Atmosphere>& others) {
     const auto scene = with_air(rural(100), others);
-    return build_air(scene, medium_of(scene).line)->height_m;
+    return build_air(scene, library(), medium_of(scene).line)->height_m;
   };
   EXPECT_EQ(layers({rural(2)}), layers({}));
 }
@@ -133,7 +133,7 @@ TEST(OtherAirs, OfTangentsAreTheirSteps) {
   above.atmosphere = two_layers(1.001e-3, 1e-5, 0.6);
   scene.sensitivity.push_back({"atmosphere.layer.0.iop.0.b_per_m", 1e-3, 1e-6, below, above});
   const Medium sea = medium_of(scene);
-  const auto excess = excess_depths(other_airs(scene, sea.line), {50});
+  const auto excess = excess_depths(other_airs(scene, library(), sea.line), {50});
   EXPECT_NEAR(excess[0], 1e-3 * 50, 1e-9);  // b d(tau) / db
 }
 
@@ -141,7 +141,7 @@ TEST(OtherAirs, OfTangentsAreTheirSteps) {
 TEST(OtherAirs, ThatScatterWhereTheScenesDoesNotAreRefused) {
   const auto scene = with_air(two_layers(1e-3, 0, 0.6), {two_layers(1e-3, 1e-6, 0.6)});
   try {
-    other_airs(scene, medium_of(scene).line);
+    other_airs(scene, library(), medium_of(scene).line);
     FAIL() << "not refused";
   } catch (const InputError& error) {
     EXPECT_EQ(error.diagnostics().front().reason,

@@ -6,13 +6,11 @@
 #include "core/error.hpp"
 #include "medium/build.hpp"
 #include "support/ship_scene.hpp"
+#include "support/tables.hpp"
 
 namespace photic::medium {
 
-inline const optics::Library& library() {
-  static const optics::Library tables(PHOTIC_SOURCE_DIR "/data");
-  return tables;
-}
+inline const optics::Library& library() { return *test::tables(); }
 
 inline Medium medium_of(const scene::Scene& scene) { return build_medium(scene, library()); }
 

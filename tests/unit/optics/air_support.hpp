@@ -2,14 +2,12 @@
 #pragma once
 
 #include "optics/air_library.hpp"
+#include "support/tables.hpp"
 #include "unit/optics/support.hpp"
 
 namespace photic::optics {
 
-inline const AirLibrary& air_library() {
-  static const AirLibrary tables(data_folder);
-  return tables;
-}
+inline const AirLibrary& air_library() { return test::tables()->air(); }
 
 /// Over all levels, of what has values [1/m] at altitudes in km.
 inline double column_per_m2(const AirProfile& air, const std::vector<double>& per_m3) {

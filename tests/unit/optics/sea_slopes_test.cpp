@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/constants.hpp"
-#include "optics/data_folder.hpp"
 #include "optics/whitecaps.hpp"
+#include "support/tables.hpp"
 
 namespace photic::optics {
 namespace {
@@ -81,7 +81,7 @@ TEST(Whitecaps, CoverTheSeaByTheWind) {
 }
 
 TEST(Whitecaps, ReflectByTheWavelength) {
-  const Library library(find_data_folder());
+  const Library& library = *test::tables();
   EXPECT_NEAR(whitecap_reflectance_koepke(library, 532).value, 0.22, 1e-12);
   EXPECT_NEAR(whitecap_reflectance_koepke(library, 850).value, 0.2125, 1e-12);
   EXPECT_NEAR(whitecap_reflectance_frouin(library, 532).value, 0.22, 1e-12);

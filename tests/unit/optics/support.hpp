@@ -16,15 +16,13 @@
 #include "optics/fournier_forand.hpp"
 #include "optics/library.hpp"
 #include "optics/phase_functions.hpp"
+#include "support/tables.hpp"
 
 namespace photic::optics {
 
 inline const std::string data_folder = PHOTIC_SOURCE_DIR "/data";
 
-inline const Library& library() {
-  static const Library tables(data_folder);
-  return tables;
-}
+inline const Library& library() { return *test::tables(); }
 
 /// The message of the exception E that f throws.
 template <class E, class F>

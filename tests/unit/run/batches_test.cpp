@@ -4,6 +4,7 @@
 #include "estimator/model.hpp"
 #include "run/batches.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::run {
 namespace {
@@ -46,7 +47,8 @@ TEST(BatchPhotons, AreInTheEffectiveScene) {
   const auto batches = [](double photons) {
     return run(test::read(test::ship_instrument + test::channel("elastic") +
                           "[[sea.layer]]\nchlorophyll_mg_m3 = 0.5\n" + test::depth_gates(10, 2) +
-                          test::simulation(photons, 5, "max_order = 3\n", "forward")));
+                          test::simulation(photons, 5, "max_order = 3\n", "forward")),
+               *test::tables());
   };
   const tally::Result result = batches(20'000);
   EXPECT_EQ(result.batches, 40U);
@@ -72,10 +74,12 @@ TEST(RunControl, LooksAfter32BatchesThenAfterTwiceAsManyThenEvery128) {
 // Seen red: with a look at 48 batches.
 TEST(RunControl, EndsAtTheFirstLookThatFindsTheTargetMet) {
   const auto photons_to = [](const std::string& target) {
-    const auto result = run(test::read(
-        test::ship_instrument + test::channel("elastic") +
-        "[[sea.layer]]\nchlorophyll_mg_m3 = 0.5\n" + test::depth_gates(4, 2) +
-        test::simulation(1e9, 5, "target_relative_error = " + target + "\n", "bidirectional")));
+    const auto result =
+        run(test::read(test::ship_instrument + test::channel("elastic") +
+                       "[[sea.layer]]\nchlorophyll_mg_m3 = 0.5\n" + test::depth_gates(4, 2) +
+                       test::simulation(1e9, 5, "target_relative_error = " + target + "\n",
+                                        "bidirectional")),
+            *test::tables());
     EXPECT_EQ(result.stopped_by, "target");
     return result.photons;
   };

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::run {
 namespace {
@@ -16,7 +17,7 @@ estimator::Model model_of(double photons, double target = 0) {
   scene.simulation.photons.reset();
   if (photons > 0) scene.simulation.photons = static_cast<std::uint64_t>(photons);
   if (target > 0) scene.simulation.target_relative_error = target;
-  return estimator::make_model(scene);
+  return estimator::make_model(scene, *test::tables());
 }
 
 Contender contender(scene::Estimator estimator) {

@@ -1,9 +1,10 @@
-// Runs in several sittings, and what is kept of them on the way.
+// Runs in several sittings.
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
 #include "run/run.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::run {
 namespace {
@@ -24,7 +25,7 @@ scene::Scene scene_of(std::uint64_t photons, const std::string& more = "",
 tally::Result run_on(int threads, const scene::Scene& scene) {
   RunOptions options;
   options.threads = threads;
-  return run(scene, options);
+  return run(scene, *test::tables(), options);
 }
 
 /// As far as the application takes a result to be gone on from.
@@ -36,7 +37,7 @@ tally::Result go_on(const tally::Result& earlier, const scene::Scene& scene, int
   RunOptions options;
   options.threads = threads;
   options.start = start_of(earlier);
-  return run(scene, options);
+  return run(scene, *test::tables(), options);
 }
 
 void expect_same(const tally::Estimates& a, const tally::Estimates& b) {
@@ -98,16 +99,16 @@ TEST(Continued, InManySittingsEqualsOneLongRun) {
     const auto scene = [&](std::uint64_t photons) {
       return scene_of(photons, way.more, way.estimator);
     };
-    tally::Result result = run(scene(700));
+    tally::Result result = run(scene(700), *test::tables());
     for (std::uint64_t photons = 12'700; photons <= 36'700; photons += 12'000)
       result = go_on(result, scene(photons), 2);
-    expect_same(result, run(scene(36'700)));
+    expect_same(result, run(scene(36'700), *test::tables()));
   }
 }
 
 // Seen red: without the time of the earlier sittings.
 TEST(Continued, AddsUpTheTime) {
-  tally::Result earlier = run(scene_of(16'000));
+  tally::Result earlier = run(scene_of(16'000), *test::tables());
   earlier.wall_time_s = 1000;
   const tally::Result result = go_on(earlier, scene_of(32'000, "max_time_s = 900.0"));
   EXPECT_EQ(result.photons, 32'000U);
@@ -116,23 +117,21 @@ TEST(Continued, AddsUpTheTime) {
   EXPECT_LT(result.wall_time_s, 1900);
 }
 
-// Seen red: without them.
 TEST(Continued, ReportsThePhotonsOfEarlierSittings) {
-  std::vector<Progress> reported;
+  Monitor monitor;
   RunOptions options;
-  options.start = start_of(run(scene_of(16'000)));
-  options.progress = [&](const Progress& progress) { reported.push_back(progress); };
-  run(scene_of(80'000), options);
-  ASSERT_FALSE(reported.empty());
-  EXPECT_EQ(reported.front().photons, 16'000U);
-  EXPECT_EQ(reported.front().photons_before, 16'000U);
+  options.monitor = &monitor;
+  options.start = start_of(run(scene_of(16'000), *test::tables()));
+  run(scene_of(80'000), *test::tables(), options);
+  EXPECT_EQ(monitor.progress().photons, 80'000U);
+  EXPECT_EQ(monitor.progress().photons_before, 16'000U);
 }
 
 // The target is looked at before anything is added. Seen red: without that look.
 TEST(Continued, EndsWhereATargetIsMetAlready) {
   const scene::Scene scene =
       scene_of(100'000'000, "target_relative_error = 0.5\ndirected_fraction = 0.5");
-  const tally::Result once = run(scene);
+  const tally::Result once = run(scene, *test::tables());
   ASSERT_EQ(once.stopped_by, "target");
   expect_same(go_on(once, scene), once);
 }
@@ -140,10 +139,10 @@ TEST(Continued, EndsWhereATargetIsMetAlready) {
 template <class Change>
 std::string refusal(const Change& change) {
   RunOptions options;
-  options.start = start_of(run(scene_of(32'000)));
+  options.start = start_of(run(scene_of(32'000), *test::tables()));
   change(options.start->state);
   try {
-    run(scene_of(64'000), options);
+    run(scene_of(64'000), *test::tables(), options);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -153,7 +152,7 @@ std::string refusal(const Change& change) {
 // Seen red: without the comparison of the first batch.
 TEST(Continued, FromOtherHistoriesIsRefused) {
   const scene::Scene other = scene_of(32'000, "directed_fraction = 0.4");
-  EXPECT_EQ(refusal([&](tally::TotalsState& state) { state = *run(other).state; }),
+  EXPECT_EQ(refusal([&](tally::TotalsState& state) { state = *run(other, *test::tables()).state; }),
             "old.nc: made by another build of Photic, or with other data tables: its first photons "
             "scored differently (continue with those, or start anew)");
   EXPECT_EQ(refusal([](tally::TotalsState&) {}), "none");
@@ -168,43 +167,8 @@ TEST(Continued, FromWhatIsNoNumberOfBatchesIsRefused) {
 }
 
 TEST(Continued, ToLessIsABug) {
-  const tally::Result earlier = run(scene_of(32'000));
+  const tally::Result earlier = run(scene_of(32'000), *test::tables());
   EXPECT_THROW(go_on(earlier, scene_of(16'000)), ContractViolation);
-}
-
-// Seen red: with checkpoints that are not partial; with one where the run ends.
-TEST(Checkpoints, AreResultsThatCanBeGoneOnFrom) {
-  const scene::Scene scene = scene_of(80'500);
-  std::vector<tally::Result> checkpoints;
-  RunOptions options;
-  options.threads = 3;
-  options.checkpoints = {.write = [&](const auto& so_far) { checkpoints.push_back(so_far); },
-                         .first_s = 0,
-                         .every_s = 0};
-  const tally::Result result = run(scene, options);
-  expect_same(result, run(scene));
-  ASSERT_EQ(checkpoints.size(), 10U);  // none where the run ends
-  for (std::size_t k = 0; k < checkpoints.size(); ++k) {
-    EXPECT_EQ(checkpoints[k].photons, (k + 1) * whole_batch);
-    EXPECT_EQ(checkpoints[k].stopped_by, "checkpoint");
-    EXPECT_TRUE(checkpoints[k].partial);
-    EXPECT_EQ(checkpoints[k].state, run(scene_of(checkpoints[k].photons)).state);
-  }
-  expect_same(go_on(checkpoints[4], scene), result);
-}
-
-// Seen red: with the interval in place of the time of the first one.
-TEST(Checkpoints, ComeWhenTheirTimeHasCome) {
-  const auto count = [](double first_s, double every_s) {
-    int checkpoints = 0;
-    RunOptions options;
-    options.checkpoints = {
-        .write = [&](const auto&) { ++checkpoints; }, .first_s = first_s, .every_s = every_s};
-    run(scene_of(80'000), options);
-    return checkpoints;
-  };
-  EXPECT_EQ(count(0, 1000), 1);
-  EXPECT_EQ(count(1000, 0), 0);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "run/run.hpp"
 #include "scene/read.hpp"
+#include "support/tables.hpp"
 
 namespace photic::run {
 namespace {
@@ -90,7 +91,7 @@ tally::TotalsState run_of(const std::string& starter, const std::string& way,
   s.batch_photons = 2000;
   s.estimator = way == "forward" ? scene::Estimator::forward : scene::Estimator::bidirectional;
   s.free_telescope_meetings = s.free_laser_meetings = 0;
-  return run(scene).state.value();
+  return run(scene, *test::tables()).state.value();
 }
 
 // The table is to be counted anew when an estimator's operations change. Seen red: with a table

@@ -308,7 +308,7 @@ name = "b"
 }
 
 /// Stands for the optics, which find nothing wrong with the base scene.
-void find_fault(const Scene& scene, Findings& findings) {
+void find_fault(const Scene& scene, Findings& findings, Asked) {
   findings.remark("channel.0.process", "true of every water");
   if (scene.sea.layer[0].chlorophyll_mg_m3 > 0.1) findings.remark("sea.layer.0", "a murky layer");
   if (scene.sea.layer[0].chlorophyll_mg_m3 <= 1.0) return;

@@ -182,7 +182,7 @@ TEST(Sensitivity, StepsBeyondARangeAndPathsTwice) {
 }
 
 /// Stands for the optics.
-void find_green_fault(const Scene& scene, Findings& findings) {
+void find_green_fault(const Scene& scene, Findings& findings, Asked) {
   if (scene.sea.layer[0].chlorophyll_mg_m3 > 0.10005)
     findings.add("source.wavelength_nm", "too green", "another laser");
   findings.remark("sea.layer.0", "true of every water");

@@ -16,6 +16,7 @@
 #include "schedule/one_by_one.hpp"
 #include "schedule/pools.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 
 namespace photic::schedule {
 namespace {
@@ -79,7 +80,7 @@ void follow_light(scene::Estimator estimator, const estimator::World<T>& world, 
       estimator::Analog<T, Ledger>(world, tally, none).run(first, photons, [](const auto&...) {});
       break;
     case scene::Estimator::bidirectional:
-      estimator::Bidirectional<T, Ledger>(world, 1).run(first, photons, tally);
+      estimator::Bidirectional<T, Ledger>(world, 1).run(first, photons, tally, [](const auto&) {});
       break;
     default:
       typename Engine<T>::Histories(world).run(first, photons, tally, nullptr);
@@ -104,7 +105,7 @@ scene::Scene scene_of(const Case& c) {
 template <class T>
 void expect_the_ledgers_sums(const Case& c) {
   SCOPED_TRACE(c.estimator + ", " + c.surface + (lanes_of<T> == 1 ? ", scalar" : ", lanes"));
-  const auto model = estimator::make_model(scene_of(c));
+  const auto model = estimator::make_model(scene_of(c), *test::tables());
   auto world = estimator::make_world<T>(model);
   world.walks.receivers.clear();  // the ledger has the laser's light alone
   Counter<T> counter(world.slabs);

@@ -24,6 +24,7 @@
 #include "run/run.hpp"
 #include "support/scalar_engines.hpp"
 #include "support/scenes.hpp"
+#include "support/tables.hpp"
 #include "unit/schedule/event_log.hpp"
 
 namespace photic::schedule {
@@ -234,7 +235,7 @@ TEST(Lanes, HistoriesAreThoseOfTheScalarEngineInFloat) {
         rich_scene("reception = \"overlap\"\nmax_order = 4"), rich_scene(tools),
         plain_scene("[simulation.tools]\nweight_threshold = 0.5\nat_threshold = \"end\""),
         bed_scene(), bed_scene("analog", "max_order = 4")}) {
-    const estimator::Model model = estimator::make_model(scene);
+    const estimator::Model model = estimator::make_model(scene, *test::tables());
     const EventLog scalar = log_scalar(model, photons);
     const scene::Simulation& run = model.scene.simulation;
     const bool plain = run.estimator == scene::Estimator::forward && run.tools == scene::Tools{};
@@ -260,7 +261,7 @@ tally::Result run_on(int threads, const scene::Scene& scene, Isa isa) {
   run::RunOptions options;
   options.threads = threads;
   options.lanes = isa;
-  return run::run(scene, options);
+  return run::run(scene, *test::tables(), options);
 }
 
 /// The sum of differences, as a share of the sum.
@@ -279,9 +280,9 @@ void expect_near(std::span<const double> lanes, std::span<const double> scalar, 
 /// rounding, some fall on the other side of a depth's edge, and the few histories that take another
 /// branch (see above) have some collisions more or less.
 void expect_echoes_of_the_scalar_engine(const scene::Scene& asked) {
-  scene::Scene scene = run::choose_estimator(asked, {});
+  scene::Scene scene = run::choose_estimator(asked, *test::tables(), {});
   scene.simulation.batch_photons = 2000;
-  const estimator::Model model = estimator::make_model(scene);
+  const estimator::Model model = estimator::make_model(scene, *test::tables());
   const run::RunOptions options;
   run::RunControl control(model.scene.simulation, options);
   tally::Result scalar = estimator::describe(model);

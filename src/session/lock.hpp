@@ -4,15 +4,17 @@
 
 #include <string>
 
-namespace photic::app {
+#include "session/front_end.hpp"
+
+namespace photic::session {
 
 /// Held from its making to its end. The name stands for the result, its checkpoint, and a CSV of
 /// the same name.
 class Lock {
  public:
   /// Throws UsageError, which names the process, if a run has it already. Where files cannot be
-  /// locked, one line says so, and there is no lock.
-  explicit Lock(const std::string& result);
+  /// locked, one line reports that, and there is no lock.
+  Lock(const std::string& result, const FrontEnd& front_end);
   Lock(const Lock&) = delete;
   Lock& operator=(const Lock&) = delete;
   ~Lock();
@@ -22,4 +24,4 @@ class Lock {
   int file_ = -1;
 };
 
-}  // namespace photic::app
+}  // namespace photic::session

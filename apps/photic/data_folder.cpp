@@ -1,4 +1,4 @@
-#include "optics/data_folder.hpp"
+#include "photic/data_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/program.hpp"
+#include "photic/program.hpp"
 
-namespace photic::optics {
+namespace photic::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,7 +33,7 @@ std::string find_data_folder() {
   std::vector<fs::path> places;
   if (const fs::path prefix = program_prefix(); !prefix.empty())
     places.push_back(prefix / "share/photic/data");
-  places.emplace_back(PHOTIC_SOURCE_DATA_DIR);
+  places.emplace_back(PHOTIC_SOURCE_DATA);
   std::string looked;
   for (const fs::path& place : places) {
     if (holds_data(place)) return place.string();
@@ -43,4 +43,4 @@ std::string find_data_folder() {
       "no data tables: looked for {} in {} (PHOTIC_DATA names another folder)", landmark, looked));
 }
 
-}  // namespace photic::optics
+}  // namespace photic::app

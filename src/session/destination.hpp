@@ -4,24 +4,24 @@
 #include <optional>
 #include <string>
 
-#include "photic/lock.hpp"
-#include "photic/occupant.hpp"
+#include "session/lock.hpp"
+#include "session/occupant.hpp"
 #include "tally/result.hpp"
 
-namespace photic::app {
+namespace photic::session {
 
 /// A place for a result.
 struct Place {
   std::string path;
   std::string keep_as;  ///< the new place of what is there; empty: nothing has to be kept
-  std::string remark;   ///< a line for the user; may be empty
+  std::string remark;   ///< for the user; may be empty
 };
 
 class Destination {
  public:
   /// `force`: whatever is there is replaced. Throws UsageError if it is clear already that what is
   /// there should not be.
-  Destination(std::string path, const Origin& origin, bool force);
+  Destination(std::string path, const Origin& origin, bool force, const FrontEnd& front_end);
 
   /// Returns the place of this result, as things are now that it is known.
   Place place_of(const tally::Result& result);
@@ -33,6 +33,7 @@ class Destination {
   std::string path_, previous_;
   const Origin& origin_;
   bool force_;
+  const FrontEnd& front_end_;
   std::optional<Lock> lock_;  ///< of a place beside
 };
 
@@ -46,4 +47,4 @@ Place kept_before(const std::string& file, const Occupant& there, const Origin& 
 /// "my.nc" -> "my-2.nc", or the next number from `first` on that is free.
 std::string free_name(const std::string& file, int first = 2);
 
-}  // namespace photic::app
+}  // namespace photic::session

@@ -2,14 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
+#include "optics/library.hpp"
 #include "scene/scene.hpp"
 
-namespace photic::app {
+namespace photic::session {
 
-/// The scene that a result is made from.
+/// The scene that a result is made from, and the data tables.
 struct Origin {
+  std::shared_ptr<const optics::Library> library;
   scene::Scene scene;
   std::string scene_file;  ///< seen from the result's folder; empty: not known
 };
@@ -34,7 +37,4 @@ Occupant occupant_of(const std::string& file, const Origin& origin);
 /// Returns whether the file is a result of a run.
 bool holds_echoes(const std::string& file);
 
-/// A scene file seen from the folder of a result, so that both may move.
-std::string seen_from(const std::string& result, const std::string& scene_file);
-
-}  // namespace photic::app
+}  // namespace photic::session

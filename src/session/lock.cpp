@@ -1,4 +1,4 @@
-#include "photic/lock.hpp"
+#include "session/lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,11 +11,11 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "photic/checkpoint.hpp"
-#include "photic/output.hpp"
+#include "session/checkpoint.hpp"
 
-namespace photic::app {
+namespace photic::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -65,7 +65,7 @@ std::string owner(int file) {
 
 }  // namespace
 
-Lock::Lock(const std::string& result) : path_(lock_path(result)) {
+Lock::Lock(const std::string& result, const FrontEnd& front_end) : path_(lock_path(result)) {
   while (file_ < 0) {
     const int file = open_lock(path_);
     if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0) {
@@ -78,8 +78,8 @@ Lock::Lock(const std::string& result) : path_(lock_path(result)) {
     const int why = errno;
     if (file >= 0 && why == EWOULDBLOCK) refuse_second(file, result);
     if (file >= 0) ::close(file);
-    print_error(fmt::format("{}: cannot be locked: {} (let no other run write it)\n", result,
-                            std::strerror(why)));
+    front_end.report(fmt::format("{}: cannot be locked: {} (let no other run write it)", result,
+                                 std::strerror(why)));
     return;
   }
   sign(file_);
@@ -91,4 +91,4 @@ Lock::~Lock() {
   ::close(file_);
 }
 
-}  // namespace photic::app
+}  // namespace photic::session

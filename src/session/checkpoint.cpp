@@ -1,4 +1,4 @@
-#include "photic/checkpoint.hpp"
+#include "session/checkpoint.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 
 #include "core/error.hpp"
 #include "io/netcdf.hpp"
-#include "photic/destination.hpp"
-#include "photic/output.hpp"
+#include "session/destination.hpp"
+#include "session/result_file.hpp"
 
-namespace photic::app {
+namespace photic::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,12 +41,12 @@ std::string without_checkpoint(const std::string& file) {
 }
 
 Checkpoint::Checkpoint(const std::string& result, const Origin& origin, std::string history,
-                       Call call)
+                       const FrontEnd& front_end)
     : result_(result),
       path_(checkpoint_path(result)),
       history_(std::move(history)),
-      call_(std::move(call)),
-      origin_(origin) {
+      origin_(origin),
+      front_end_(front_end) {
   const Occupant left = checkpoint_at(path_, origin_);
   if (left.kind == Occupant::Kind::same_scene) photons_ = left.photons;
 }
@@ -54,14 +54,14 @@ Checkpoint::Checkpoint(const std::string& result, const Origin& origin, std::str
 std::string Checkpoint::leftover(std::uint64_t photons) const {
   if (photons_ <= photons) return "";
   return fmt::format(
-      "{}: left by a run of this scene that did not end, with {} photons (continue it: {})\n",
-      path_, photons_, go_on_command(call_, path_, result_));
+      "{}: left by a run of this scene that did not end, with {} photons (continue it: {})", path_,
+      photons_, front_end_.go_on(path_, result_));
 }
 
-void Checkpoint::write(const tally::Result& so_far, ProgressBar& bar) {
+void Checkpoint::write(const tally::Result& so_far) {
   if (so_far.photons <= photons_) return;
   try {
-    const std::string keep_as = ours_ ? "" : take_place(bar);
+    const std::string keep_as = ours_ ? "" : take_place();
     io::write_netcdf(so_far, path_,
                      {.history = history_, .scene_file = origin_.scene_file, .keep_as = keep_as});
     photons_ = so_far.photons;
@@ -69,25 +69,23 @@ void Checkpoint::write(const tally::Result& so_far, ProgressBar& bar) {
   } catch (const EnvironmentError& error) {
     if (warned_) return;
     warned_ = true;
-    bar.wipe();
-    print_error(fmt::format("{} (the run continues without this checkpoint)\n", error.what()));
+    front_end_.report(fmt::format("{} (the run continues without this checkpoint)", error.what()));
   }
 }
 
 /// Returns where the first checkpoint puts the one of an earlier scene; empty if there is none.
-std::string Checkpoint::take_place(ProgressBar& bar) {
+std::string Checkpoint::take_place() {
   const Occupant left = checkpoint_at(path_, origin_);
   const bool edited = left.kind == Occupant::Kind::edited_scene;
   if (!edited && left.reason.empty()) return "";
-  bar.wipe();
   if (edited) {
     const Place place = kept_before(path_, left, origin_);
-    print_error(place.remark);
+    front_end_.report(place.remark);
     return place.keep_as;
   }
   const std::string taken = std::exchange(path_, free_name(path_));
-  print_error(fmt::format("{}: {}, and is left as it is: this run's checkpoint is {}\n", taken,
-                          left.reason, path_));
+  front_end_.report(fmt::format("{}: {}, and is left as it is: this run's checkpoint is {}", taken,
+                                left.reason, path_));
   return "";
 }
 
@@ -99,4 +97,4 @@ std::string Checkpoint::finish(const tally::Result& result) {
   return "";
 }
 
-}  // namespace photic::app
+}  // namespace photic::session

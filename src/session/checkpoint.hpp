@@ -5,12 +5,11 @@
 #include <cstdint>
 #include <string>
 
-#include "photic/occupant.hpp"
-#include "photic/progress.hpp"
-#include "photic/shell.hpp"
+#include "session/front_end.hpp"
+#include "session/occupant.hpp"
 #include "tally/result.hpp"
 
-namespace photic::app {
+namespace photic::session {
 
 /// The result that a checkpoint is beside: "out.checkpoint.nc" -> "out.nc"; other names as they
 /// are.
@@ -19,7 +18,8 @@ std::string without_checkpoint(const std::string& file);
 class Checkpoint {
  public:
   /// The checkpoint of a run that will write `result`. `history` is that of the result.
-  Checkpoint(const std::string& result, const Origin& origin, std::string history, Call call);
+  Checkpoint(const std::string& result, const Origin& origin, std::string history,
+             const FrontEnd& front_end);
 
   /// Returns one line on how to go on from the file, if a run of this scene left more than
   /// `photons` there; else empty.
@@ -28,21 +28,21 @@ class Checkpoint {
   /// Writes the result so far, but never over more photons of the same scene, nor over a result of
   /// another scene file: then it is written beside that, with a warning. A failure is reported
   /// once, and leaves the last good checkpoint.
-  void write(const tally::Result& so_far, ProgressBar& bar);
+  void write(const tally::Result& so_far);
 
   /// Removes what the result, now written, holds as well. A partial result that no run can go on
   /// from leaves the checkpoint; then its path is returned.
   std::string finish(const tally::Result& result);
 
  private:
-  std::string take_place(ProgressBar& bar);
+  std::string take_place();
 
   std::string result_, path_, history_;
-  Call call_;
   const Origin& origin_;
+  const FrontEnd& front_end_;
   std::uint64_t photons_ = 0;  ///< of this scene that the file holds
   bool ours_ = false;          ///< true if this run has written the file
   bool warned_ = false;
 };
 
-}  // namespace photic::app
+}  // namespace photic::session

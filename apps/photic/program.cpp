@@ -1,6 +1,6 @@
-#include "core/program.hpp"
+#include "photic/program.hpp"
 
-namespace photic {
+namespace photic::app {
 
 std::filesystem::path program_prefix() {
   std::error_code error;
@@ -8,4 +8,4 @@ std::filesystem::path program_prefix() {
   return error ? std::filesystem::path() : program.parent_path().parent_path();
 }
 
-}  // namespace photic
+}  // namespace photic::app

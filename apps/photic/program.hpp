@@ -3,10 +3,10 @@
 
 #include <filesystem>
 
-namespace photic {
+namespace photic::app {
 
 /// The prefix that the program is installed under: the folder above its own ("/usr" of
 /// /usr/bin/photic). Empty if nobody knows.
 std::filesystem::path program_prefix();
 
-}  // namespace photic
+}  // namespace photic::app

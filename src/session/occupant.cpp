@@ -1,4 +1,4 @@
-#include "photic/occupant.hpp"
+#include "session/occupant.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include "core/error.hpp"
 #include "io/csv.hpp"
 #include "io/netcdf.hpp"
-#include "photic/continuation.hpp"
-#include "photic/output.hpp"
+#include "session/continuation.hpp"
+#include "session/result_file.hpp"
 
-namespace photic::app {
+namespace photic::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +34,8 @@ Occupant netcdf_occupant(const std::string& file, const Origin& origin) {
   using Kind = Occupant::Kind;
   try {
     const io::RunSoFar run = io::read_run(file);
-    if (is_same_scene(run, file, origin.scene)) return {Kind::same_scene, run.photons, ""};
+    if (is_same_scene(run, file, origin.scene, *origin.library))
+      return {Kind::same_scene, run.photons, ""};
     if (is_same_file(run.scene_file, origin, file)) return {Kind::edited_scene, run.photons, ""};
     return {Kind::other_scene, run.photons,
             fmt::format("is the result of another scene file, {}", run.scene_file)};
@@ -69,11 +70,4 @@ bool holds_echoes(const std::string& file) {
   }
 }
 
-std::string seen_from(const std::string& result, const std::string& scene_file) {
-  return fs::absolute(scene_file)
-      .lexically_normal()
-      .lexically_relative(folder_around(result).lexically_normal())
-      .string();
-}
-
-}  // namespace photic::app
+}  // namespace photic::session

@@ -1,14 +1,14 @@
-#include "photic/destination.hpp"
+#include "session/destination.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <system_error>
 
+#include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "photic/output.hpp"
 
-namespace photic::app {
+namespace photic::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,14 +50,19 @@ Place kept_before(const std::string& file, const Occupant& there, const Origin& 
   const Occupant before = occupant_of(previous, origin);
   if (before.reason.empty() && before.photons > there.photons)
     return {file, "",
-            fmt::format("{}: holds {} photons and stays; the {} of {} are replaced\n", previous,
+            fmt::format("{}: holds {} photons and stays; the {} of {} are replaced", previous,
                         before.photons, there.photons, file)};
   const std::string keep_as = before.reason.empty() ? previous : free_name(previous);
-  return {file, keep_as, fmt::format("{}: what {} held before\n", keep_as, file)};
+  return {file, keep_as, fmt::format("{}: what {} held before", keep_as, file)};
 }
 
-Destination::Destination(std::string path, const Origin& origin, bool force)
-    : path_(std::move(path)), previous_(previous_name(path_)), origin_(origin), force_(force) {
+Destination::Destination(std::string path, const Origin& origin, bool force,
+                         const FrontEnd& front_end)
+    : path_(std::move(path)),
+      previous_(previous_name(path_)),
+      origin_(origin),
+      force_(force),
+      front_end_(front_end) {
   if (!force_) expect_room(occupant_of(path_, origin_));
 }
 
@@ -79,12 +84,12 @@ Place Destination::beside(const std::string& why) {
   std::string path = free_name(path_);
   for (int n = 3; !lock_; ++n) {
     try {
-      lock_.emplace(path);
+      lock_.emplace(path, front_end_);
     } catch (const UsageError&) {  // another run is at work on that one
       path = free_name(path_, n);
     }
   }
-  return {path, "", fmt::format("{}: {}, and is left as it is: see {}\n", path_, why, path)};
+  return {path, "", fmt::format("{}: {}, and is left as it is: see {}", path_, why, path)};
 }
 
 Place Destination::place_of(const tally::Result& result) {
@@ -103,4 +108,4 @@ Place Destination::place_of(const tally::Result& result) {
   return kept_before(path_, occupant, origin_);
 }
 
-}  // namespace photic::app
+}  // namespace photic::session

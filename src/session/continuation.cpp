@@ -1,20 +1,15 @@
-#include "photic/continuation.hpp"
+#include "session/continuation.hpp"
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "core/error.hpp"
 #include "estimator/model.hpp"
-#include "io/netcdf_variable.hpp"
 #include "scene/compare.hpp"
+#include "schedule/engines.hpp"
+#include "session/read.hpp"
 
-namespace photic::app {
+namespace photic::session {
 namespace {
-
-std::string folder_of(const std::string& file) {
-  return std::filesystem::path(file).parent_path().string();
-}
 
 /// The scene with what an earlier run of it chose, where it leaves the choice open.
 scene::Scene as_chosen(scene::Scene now, const scene::Scene& then) {
@@ -43,7 +38,7 @@ scene::Scene as_chosen(scene::Scene now, const scene::Scene& then) {
 
 /// Why the photons of a run are not those of a scene.
 std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& file,
-                                  const scene::Scene& asked) {
+                                  const scene::Scene& asked, const optics::Library& library) {
   if (run.version != PHOTIC_VERSION) {
     return {{.file = file,
              .reason = fmt::format("made by Photic {}; this one, {}, may simulate other photons",
@@ -51,7 +46,8 @@ std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& fi
              .suggestion = fmt::format("continue with Photic {}, or start anew", run.version)}};
   }
   scene::Scene then = scene::read_scene_text(run.scene_toml, file, folder_of(file)).scene;
-  const scene::Scene now = estimator::reported_scene(estimator::make_model(as_chosen(asked, then)));
+  const scene::Scene now =
+      estimator::reported_scene(estimator::make_model(as_chosen(asked, then), library));
   then.simulation.photons = now.simulation.photons;
   then.simulation.target_relative_error = now.simulation.target_relative_error;
   then.simulation.max_time_s = now.simulation.max_time_s;
@@ -70,26 +66,20 @@ std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& fi
 
 }  // namespace
 
-scene::Reading read_scene_of(const RunCommand& command) {
-  if (!command.scene.empty()) {
-    scene::Reading reading = scene::read_scene(command.scene, command.overrides,
-                                               estimator::optics_check(), io::netcdf_files());
-    if (!command.earlier.empty()) {
-      const auto text = io::read_run(command.earlier).scene_toml;
-      const auto then =
-          scene::read_scene_text(text, command.earlier, folder_of(command.earlier)).scene;
-      reading.scene = as_chosen(std::move(reading.scene), then);
-    }
-    return reading;
-  }
-  return scene::read_scene_text(io::read_run(command.earlier).scene_toml, command.earlier,
-                                folder_of(command.earlier), command.overrides,
-                                estimator::optics_check(), io::netcdf_files());
+scene::Reading read_earlier(const Context& context, const std::string& file,
+                            const std::vector<scene::Override>& overrides) {
+  return read(context, {io::read_run(file).scene_toml, file, folder_of(file)}, overrides);
 }
 
-Earlier take_up(const std::string& file, const scene::Scene& scene) {
+scene::Scene as_chosen_in(const std::string& file, scene::Scene scene) {
+  const std::string text = io::read_run(file).scene_toml;
+  return as_chosen(std::move(scene), scene::read_scene_text(text, file, folder_of(file)).scene);
+}
+
+Earlier take_up(const std::string& file, const scene::Scene& scene,
+                const optics::Library& library) {
   const io::RunSoFar run = io::read_run(file);
-  std::vector<Diagnostic> problems = obstacles(run, file, scene);
+  std::vector<Diagnostic> problems = obstacles(run, file, scene, library);
   const auto asked = scene.simulation.photons;
   if (asked && *asked < run.photons) {
     problems.push_back(
@@ -99,7 +89,7 @@ Earlier take_up(const std::string& file, const scene::Scene& scene) {
          .suggestion = "--photons is the total, not what is added"});
   }
   if (!problems.empty()) throw InputError(problems);
-  return {.start = {.state = io::read_state(file, estimator::make_model(scene).shape),
+  return {.start = {.state = io::read_state(file, estimator::make_model(scene, library).shape),
                     .wall_time_s = run.wall_time_s,
                     .file = file},
           .lanes = schedule::isa_of_engine(run.engine),
@@ -108,14 +98,15 @@ Earlier take_up(const std::string& file, const scene::Scene& scene) {
           .scene_file = run.scene_file};
 }
 
-bool is_same_scene(const io::RunSoFar& run, const std::string& file, const scene::Scene& scene) {
+bool is_same_scene(const io::RunSoFar& run, const std::string& file, const scene::Scene& scene,
+                   const optics::Library& library) {
   scene::Scene open = scene;
   open.simulation.batch_photons.reset();  // a matter of the simulation, not of the scene
   try {
-    return obstacles(run, file, open).empty();
+    return obstacles(run, file, open, library).empty();
   } catch (const InputError&) {  // its scene is none to this program
     return false;
   }
 }
 
-}  // namespace photic::app
+}  // namespace photic::session

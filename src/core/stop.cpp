@@ -1,0 +1,7 @@
+#include "core/stop.hpp"
+
+namespace photic {
+
+void throw_stopped() { throw Stopped(); }
+
+}  // namespace photic
