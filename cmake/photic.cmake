@@ -190,7 +190,7 @@ function(photic_pytest)
     add_test(NAME ${label}.${stem}
              COMMAND ${PHOTIC_PYTHON} -m pytest -q -p no:cacheprovider ${CMAKE_CURRENT_SOURCE_DIR}/${file})
     set(environment "PHOTIC_PROGRAM=$<TARGET_FILE:photic>" "PHOTIC_BUILD=${PROJECT_BINARY_DIR}"
-        "PYTHONPATH=${PROJECT_SOURCE_DIR}/python" PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=Agg)
+        "PYTHONPATH=${PROJECT_BINARY_DIR}/python" PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=Agg)
     set(labels ${label})
     if(file IN_LIST ARG_NOT_SANITIZED)
       list(APPEND labels not_sanitized)

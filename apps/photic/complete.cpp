@@ -2,7 +2,7 @@
 
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
-#include "photic/scene_paths.hpp"
+#include "scene/scene_paths.hpp"
 
 namespace photic::app {
 namespace {
@@ -76,7 +76,7 @@ std::string filled_path(const std::string& path, const std::string& word) {
 /// Paths of a scene's values, or after one and "=" its values.
 std::vector<Candidate> settings_of(const std::string& prefix, const std::string& word) {
   std::vector<Candidate> found;
-  for (const ScenePath& value : scene_paths()) {
+  for (const scene::ScenePath& value : scene::scene_paths()) {
     if (!value.path.starts_with(prefix)) continue;
     const std::string key = filled_path(value.path, prefix + word).substr(prefix.size()) + '=';
     if (!word.starts_with(key)) found.push_back({key, value.meaning});

@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM: the first one asks the run to end at its next batch, the second one ends the
+// Ctrl-C and SIGTERM: the first one asks the run to end soon, the second one ends the
 // program.
 #pragma once
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "photic/quantities.hpp"
+#include "session/quantities.hpp"
 
 namespace photic::app {
 namespace {
@@ -57,7 +57,7 @@ void add_choice(CLI::App& app, const std::string& flag, std::string& variable,
 
 void add_seed(CLI::App& app, std::vector<scene::Override>& overrides) {
   add_scene_value(app, overrides, "--seed", "S", "simulation.seed", "Seed of the random numbers",
-                  seed_value);
+                  session::seed_value);
 }
 
 void add_threads(CLI::App& app, int& threads, const std::string& description) {
@@ -73,11 +73,11 @@ void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "Print a
 /// When a run stops, all of them values of the scene.
 void add_ends(CLI::App& sub, std::vector<scene::Override>& values) {
   add_scene_value(sub, values, "--photons", "N", "simulation.photons",
-                  "Stop after N photons (1e7 is accepted)", photons_value);
+                  "Stop after N photons (1e7 is accepted)", session::photons_value);
   add_scene_value(sub, values, "--target", "SHARE", "simulation.target_relative_error",
-                  "Stop when every gate is converged below this relative error (1%)", share_value);
+                  "Stop when every gate is converged below this relative error (1%)", session::share_value);
   add_scene_value(sub, values, "--max-time", "TIME", "simulation.max_time_s",
-                  "Stop after this time (60s, 10min, 2h)", seconds_value);
+                  "Stop after this time (60s, 10min, 2h)", session::seconds_value);
 }
 
 void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& values, Notes& notes) {
@@ -111,7 +111,7 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& value
              notes);
   add_checked(sub, "--checkpoint", "TIME",
               "Write the result so far this often [default: every 30s, after the first minute]",
-              [&run](const std::string& text) { run.checkpoint_s = seconds(text); });
+              [&run](const std::string& text) { run.checkpoint_s = session::seconds(text); });
   sub.add_flag(
       "--force", run.force,
       "Replace whatever is where the result goes: results of other scenes, of more photons "
@@ -153,7 +153,7 @@ void add_bench(CLI::App& app, BenchCommand& bench, std::vector<scene::Override>&
   CLI::App& sub = *app.add_subcommand("bench", "Measure which estimator suits a scene best");
   add_scene(sub, bench.scene, "The scene file")->required();
   add_checked(sub, "--time", "TIME", "Time for all of it [default: 60s]",
-              [&bench](const std::string& text) { bench.time_s = bench_seconds(text); });
+              [&bench](const std::string& text) { bench.time_s = session::bench_seconds(text); });
   add_threads(sub, bench.threads, "Number of threads [default: all cores]");
   add_seed(sub, values);
   add_overrides(sub, bench.overrides);
@@ -223,11 +223,11 @@ void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Overrid
       sub, "--wavelengths", "NM",
       "355,532,685 or 400:700:10 [default: the laser's and those that the channels count; of air "
       "and oil 300:700:50, of a tape7 all]",
-      [&optics](const std::string& text) { optics.wavelength_nm = wavelengths_nm(text); });
+      [&optics](const std::string& text) { optics.wavelength_nm = session::wavelengths_nm(text); });
   add_scene_value(sub, values, "--laser", "NM", "source.wavelength_nm",
                   "Wavelength of the light that excites Raman and fluorescence light [default: the "
                   "scene's; 532 with --water]",
-                  wavelength_value);
+                  session::wavelength_value);
   sub.add_option("-o,--output", optics.output, "Write them to a file, .nc or .csv")
       ->type_name("FILE");
   add_overrides(sub, optics.overrides);

@@ -1,17 +1,30 @@
 """Photic: what an oceanographic lidar will see.
 
     import photic
-    ds = photic.run("ship.toml", set={"sea.layer.0.chlorophyll_mg_m3": 0.5}, photons=1e6)
-    ds.echo.sel(telescope="ship", channel="raman")
+    scene = photic.Scene.new("airborne")
+    scene["sea.layer.0.chlorophyll_mg_m3"] = 0.5
+    echo = scene.run(target=0.01, max_time="60s")
+    echo.echo.sel(telescope="airborne", channel="raman")
 
-run(scene) computes, open(path) reads a result file; both return an xarray.Dataset whose
-telescopes, channels and processes are indexed by their names. oil_thickness(result, clean) finds
-the thickness of a film of oil. `photic plot out.nc -o out.png` draws a result.
+Scene is what is simulated; run(scene) computes, open(path) reads a result file; both return an
+xarray.Dataset whose telescopes, channels and processes are indexed by their names. oil_thickness
+finds the thickness of a film of oil. `photic plot out.nc -o out.png` draws a result.
 """
 
-from photic.errors import Error, Interrupted
+from photic.core import VERSION as __version__
+from photic.core import is_there
+from photic.errors import Error, Interrupted, Problem, SceneError
+from photic.locks import netcdf_lock
 from photic.oil import oil_thickness
-from photic.program import run
 from photic.result import open
+from photic.scene import Scene, run
+from photic.simulation import Run
 
-__all__ = ["Error", "Interrupted", "oil_thickness", "open", "run"]
+__all__ = [
+    "Error", "Interrupted", "Problem", "Run", "Scene", "SceneError", "__version__", "netcdf_lock", "oil_thickness",
+    "open", "run",
+]  # fmt: skip
+if is_there():
+    from photic._core import Progress
+
+    __all__ += ["Progress"]

@@ -1,19 +1,52 @@
 """Errors, as reported to the user."""
 
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import xarray
+
 
 class Error(Exception):
-    """The message says what and which file; exit_code as in the program: 2 bad input, 1 failed
-    environment, 143 ended by SIGTERM. partial: the result so far, of a run that was ended."""
+    """Something that was asked for cannot be done; the message says what, where, and what to do.
 
-    def __init__(self, message, exit_code=2, partial=None):
+    exit_code  as of the program: 2 bad input, 1 failed environment (a file, memory), 130 a run that
+               was stopped before it had a result
+    partial    the result so far, where a run has one that is lost otherwise; else None
+    """
+
+    def __init__(self, message: str, exit_code: int = 2, partial: xarray.Dataset | None = None) -> None:
         super().__init__(message)
         self.exit_code = exit_code
         self.partial = partial
 
 
-class Interrupted(KeyboardInterrupt):
-    """Ctrl-C during a run. partial: the result so far, as photic.open gives it."""
+class Problem(NamedTuple):
+    """One thing wrong with a scene."""
 
-    def __init__(self, message, partial):
+    file: str  # or the path of the value, where it is in no file
+    line: int  # from 1; 0 where there are no lines
+    column: int  # from 1; 0 where there are no lines
+    path: str  # of the value, as "sea.layer.0.chlorophyll_mg_m3"; empty where it has none
+    reason: str
+    suggestion: str  # may be empty
+
+
+class SceneError(Error):
+    """A scene that cannot be simulated. The text is the program's, a line for each of `problems`,
+    in the order of the file."""
+
+    def __init__(self, message: str, problems: list[Problem]) -> None:
+        super().__init__(message)
+        self.problems = problems
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C during a run.
+
+    partial  the result so far, as photic.open gives it; None if there was none yet
+    """
+
+    def __init__(self, message: str, partial: xarray.Dataset | None) -> None:
         super().__init__(message)
         self.partial = partial

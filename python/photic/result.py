@@ -4,8 +4,10 @@ import os
 import tomllib
 
 import xarray
+from xarray.backends.netCDF4_ import NETCDF4_PYTHON_LOCK
 
 from photic.errors import Error
+from photic.locks import netcdf_lock
 
 FORMAT = 3  # the newest layout this package reads
 
@@ -66,6 +68,12 @@ def open(path):
         return _named(dataset)
     except KeyError as error:
         raise Error(f"{path}: a result of Photic that lacks {error}") from error
+
+
+def of_arrays(arrays):
+    """The result in arrays of the module _core: the same as photic.open of its file."""
+    dataset = xarray.Dataset(arrays["variables"], attrs=arrays["attributes"])
+    return _named(xarray.decode_cf(dataset, decode_timedelta=False).load())
 
 
 def scene_of(result):
@@ -135,7 +143,9 @@ def _load(path):
     if not os.path.isfile(path):
         raise Error(f"{path}: is a directory" if os.path.isdir(path) else f"{path}: no such file")
     try:
-        with xarray.open_dataset(path, engine="netcdf4", decode_timedelta=False) as file:
+        # Not with xarray's lock for each array: it is held already, and bears no second time.
+        options = {"engine": "netcdf4", "decode_timedelta": False, "lock": False}
+        with netcdf_lock, NETCDF4_PYTHON_LOCK, xarray.open_dataset(path, **options) as file:
             return file.load()
     except PermissionError as error:
         raise Error(f"{path}: {error.strerror}", exit_code=1) from error

@@ -45,7 +45,7 @@ double clearer_by(const Model& model, double height_m) {
 
 }  // namespace
 
-Model model_of_air(const Model& model) {
+Model model_of_air(const Model& model, const std::stop_token& stop) {
   Model out = model;
   turn_upside_down(out.scene.source);
   for (scene::Telescope& t : out.scene.telescope) turn_upside_down(t);
@@ -60,11 +60,11 @@ Model model_of_air(const Model& model) {
   out.scene.bottom.reset();
   // Light that is weak in the scene's air may be strong in a clearer one.
   out.scene.simulation.tools.weight_threshold *= std::exp(-clearer_by(model, counts_to));
-  out.medium =
-      medium::upside_down(*model.air, model.other_airs, model.medium, counts_to, highest + ample_m);
+  out.medium = medium::upside_down(*model.air, model.other_airs, model.medium, counts_to,
+                                   highest + ample_m, stop);
   add_water(model, out);
   out.paths = free_paths(out.medium, out.scene.simulation);
-  out.averaged = averaged_phases(out.scene, out.medium);
+  out.averaged = averaged_phases(out.scene, out.medium, stop);
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/constants.hpp"
+#include "core/stop.hpp"
 #include "estimator/cone_mean.hpp"
 #include "estimator/walk_cones.hpp"
 
@@ -141,7 +142,8 @@ void lines_of_cell(int cell, const std::vector<Part>& parts, const Cumulatives& 
 }  // namespace
 
 AveragedPhaseTables::AveragedPhaseTables(const medium::Medium& medium,
-                                         const std::vector<EntryCone<double>>& cones)
+                                         const std::vector<EntryCone<double>>& cones,
+                                         const std::stop_token& stop)
     : tables_(medium.phase_count()) {
   const std::set elastic(medium.elastic_phase.begin(), medium.elastic_phase.end());
   const auto phases = medium.view().phases;
@@ -152,6 +154,7 @@ AveragedPhaseTables::AveragedPhaseTables(const medium::Medium& medium,
     const auto parts = cone.by_depth ? parts_of(cone) : std::vector<Part>{};  // else none is free
     Lines lines(elastic.size());
     for (int cell = 0; cell < cells && !parts.empty(); ++cell) {
+      break_off_if(stop);
       const bool ahead = cell < AveragedPhases::forward_cells;
       lines_of_cell(cell, parts, ahead ? forward : backward, lines);
       auto line = lines.begin();
@@ -162,13 +165,14 @@ AveragedPhaseTables::AveragedPhaseTables(const medium::Medium& medium,
   }
 }
 
-AveragedPhaseTables averaged_phases(const scene::Scene& scene, const medium::Medium& medium) {
+AveragedPhaseTables averaged_phases(const scene::Scene& scene, const medium::Medium& medium,
+                                    const std::stop_token& stop) {
   if (scene.simulation.estimator != scene::Estimator::bidirectional) return {};
   const auto walks = walk_cones(scene, medium, 0);
   std::vector<EntryCone<double>> cones{walks.laser};
   cones.insert(cones.end(), walks.telescope.begin(), walks.telescope.end());
   if (std::ranges::none_of(cones, &EntryCone<double>::by_depth)) return {};
-  return {medium, cones};
+  return {medium, cones, stop};
 }
 
 AveragedPhases AveragedPhaseTables::view() const { return {line_.table(), tables_}; }

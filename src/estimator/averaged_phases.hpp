@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "core/lanes.hpp"
@@ -69,7 +70,8 @@ class AveragedPhaseTables {
   AveragedPhaseTables() = default;
   /// The means of the tables by which a medium scatters light elastically, for instruments in their
   /// order. Nothing looks up the others, which are 0.
-  AveragedPhaseTables(const medium::Medium& medium, const std::vector<EntryCone<double>>& cones);
+  AveragedPhaseTables(const medium::Medium& medium, const std::vector<EntryCone<double>>& cones,
+                      const std::stop_token& stop);
 
   [[nodiscard]] AveragedPhases view() const;
 
@@ -79,6 +81,7 @@ class AveragedPhaseTables {
 };
 
 /// The means of a scene.
-AveragedPhaseTables averaged_phases(const scene::Scene& scene, const medium::Medium& medium);
+AveragedPhaseTables averaged_phases(const scene::Scene& scene, const medium::Medium& medium,
+                                    const std::stop_token& stop);
 
 }  // namespace photic::estimator

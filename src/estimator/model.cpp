@@ -250,12 +250,13 @@ std::vector<double> radiance_depths(const Model& model) {
 
 }  // namespace
 
-Model make_model(const scene::Scene& scene, const optics::Library& library) {
+Model make_model(const scene::Scene& scene, const optics::Library& library,
+                 const std::stop_token& stop) {
   const bool air_alone = scene.is_of_air_alone();
-  auto medium =
-      air_alone ? medium::build_air_alone(scene, library) : medium::build_medium(scene, library);
+  auto medium = air_alone ? medium::build_air_alone(scene, library, stop)
+                          : medium::build_medium(scene, library, stop);
   check_instruments(scene, medium);
-  auto air = air_alone ? std::nullopt : medium::build_air(scene, library, medium.line);
+  auto air = air_alone ? std::nullopt : medium::build_air(scene, library, medium.line, stop);
   scene::Scene effective = scene;
   if (air_alone) effective.source.position_m.z -= medium.top.back();
   if (scene.source.is_everywhere && scene.is_of_spherical_air())
@@ -263,8 +264,9 @@ Model make_model(const scene::Scene& scene, const optics::Library& library) {
   else if (scene.source.is_everywhere)
     effective.source.position_m.z = above_all(scene, air);
   auto columns = air ? columns_to(*air, heights_of(effective)) : std::vector<ColumnTables>{};
-  auto others = air && scene.has_environments() ? medium::other_airs(scene, library, medium.line)
-                                                : std::vector<medium::OtherAir>{};
+  auto others = air && scene.has_environments()
+                    ? medium::other_airs(scene, library, medium.line, stop)
+                    : std::vector<medium::OtherAir>{};
   if (!others.empty()) {
     medium.environments.excess_outside = medium::excess_depths(others, heights_of(effective));
     medium.finish();
@@ -280,7 +282,7 @@ Model make_model(const scene::Scene& scene, const optics::Library& library) {
   auto shape = make_shape(scene, medium, air, gates);
   name_settings(scene, medium, effective);
   auto paths = free_paths(medium, scene.simulation);
-  auto averaged = averaged_phases(scene, medium);
+  auto averaged = averaged_phases(scene, medium, stop);
   Model model{std::move(effective),
               std::move(medium),
               std::move(paths),
@@ -306,11 +308,12 @@ scene::Scene reported_scene(const Model& model) {
   return scene;
 }
 
-Model simulated_by(const Model& model, const scene::Simulation& simulation) {
+Model simulated_by(const Model& model, const scene::Simulation& simulation,
+                   const std::stop_token& stop) {
   Model out = model;
   out.scene.simulation = simulation;
   out.paths = free_paths(out.medium, simulation);
-  out.averaged = averaged_phases(out.scene, out.medium);
+  out.averaged = averaged_phases(out.scene, out.medium, stop);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/twin_table.hpp"
@@ -94,13 +95,15 @@ struct Model {
 scene::Check optics_check(std::shared_ptr<const optics::Library> library);
 
 /// Throws InputError for what optics_check finds, EnvironmentError for missing data files.
-Model make_model(const scene::Scene& scene, const optics::Library& library);
+Model make_model(const scene::Scene& scene, const optics::Library& library,
+                 const std::stop_token& stop = {});
 
 /// The same scene, simulated otherwise.
-Model simulated_by(const Model& model, const scene::Simulation& simulation);
+Model simulated_by(const Model& model, const scene::Simulation& simulation,
+                   const std::stop_token& stop = {});
 /// The air of a model above the sea, upside down (medium/upside_down.hpp): what follows light in
 /// the water follows it there.
-Model model_of_air(const Model& model);
+Model model_of_air(const Model& model, const std::stop_token& stop = {});
 
 /// The simulated scene, with the instruments as given.
 scene::Scene reported_scene(const Model& model);

@@ -10,11 +10,11 @@ namespace photic::estimator {
 namespace {
 
 /// The same model by the forward estimator's histories, in batches as large.
-Model by_histories(const Model& model) {
+Model by_histories(const Model& model, const std::stop_token& stop) {
   scene::Simulation forward = model.scene.simulation;
   forward.estimator = scene::Estimator::forward;
   forward.batch_photons = batch_photons(model.scene.simulation);
-  return simulated_by(model, forward);
+  return simulated_by(model, forward, stop);
 }
 
 /// The ways of light through the surface, from one medium's sets to the other's. Most light that
@@ -69,9 +69,9 @@ std::vector<HistorySet> forward_sets(const Model& water, const Model* air) {
 
 /// The air, of a scene that is simulated as it asks. No walk comes there from an instrument in the
 /// water.
-Model air_of(const Model& model) {
+Model air_of(const Model& model, const std::stop_token& stop) {
   const bool walks = model.scene.simulation.estimator == scene::Estimator::bidirectional;
-  return model_of_air(walks && any_in_water(model.scene) ? by_histories(model) : model);
+  return model_of_air(walks && any_in_water(model.scene) ? by_histories(model, stop) : model, stop);
 }
 
 /// Walks stay in one medium, and score light that is scattered there alone. Histories of the
@@ -79,7 +79,7 @@ Model air_of(const Model& model) {
 /// the surface's own echo; and light that is scattered in the water and in the air, or in the air
 /// at all where there are no walks.
 std::vector<HistorySet> bidirectional_sets(const Model& water, const Model* air,
-                                           std::deque<Model>& models) {
+                                           std::deque<Model>& models, const std::stop_token& stop) {
   using enum HistorySet::Kind;
   std::vector<HistorySet> sets{{.kind = walks, .model = &water, .in_ledger = true}};
   const auto sea = water.medium.view();
@@ -87,7 +87,7 @@ std::vector<HistorySet> bidirectional_sets(const Model& water, const Model* air,
   if (!shines && !sea.surface.one_direction_each)
     sets.push_back({.kind = surface_echo, .model = &water});
   if (!shines && air == nullptr) return sets;
-  const Model& forward = models.emplace_back(by_histories(water));
+  const Model& forward = models.emplace_back(by_histories(water, stop));
   if (shines)
     sets.push_back({.kind = histories,
                     .model = &forward,
@@ -95,7 +95,7 @@ std::vector<HistorySet> bidirectional_sets(const Model& water, const Model* air,
                     .scored = Scored::film});
   if (air == nullptr) return sets;
   const bool with_walks = !any_in_water(water.scene);
-  const Model& forward_in_air = with_walks ? models.emplace_back(by_histories(*air)) : *air;
+  const Model& forward_in_air = with_walks ? models.emplace_back(by_histories(*air, stop)) : *air;
   if (with_walks) sets.push_back({.kind = walks, .model = air, .stream = air_stream});
   const Ways ways(water, *air);
   const std::size_t setting_out = sets.size(), in_air = setting_out + 1, in_water = in_air + 1;
@@ -120,12 +120,12 @@ std::vector<HistorySet> bidirectional_sets(const Model& water, const Model* air,
 
 }  // namespace
 
-Plan make_plan(const Model& model) {
+Plan make_plan(const Model& model, const std::stop_token& stop) {
   Plan plan;
-  const Model* air = model.air ? &plan.models.emplace_back(air_of(model)) : nullptr;
+  const Model* air = model.air ? &plan.models.emplace_back(air_of(model, stop)) : nullptr;
   switch (model.scene.simulation.estimator) {
     case scene::Estimator::bidirectional:
-      plan.sets = bidirectional_sets(model, air, plan.models);
+      plan.sets = bidirectional_sets(model, air, plan.models, stop);
       break;
     case scene::Estimator::analog:
       plan.sets = analog_sets(model, air);

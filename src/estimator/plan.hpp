@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "estimator/model.hpp"
@@ -51,6 +52,6 @@ struct Plan {
 };
 
 /// The model must outlive the plan.
-Plan make_plan(const Model& model);
+Plan make_plan(const Model& model, const std::stop_token& stop = {});
 
 }  // namespace photic::estimator

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/interpolation.hpp"
+#include "core/stop.hpp"
 #include "medium/bent_axis.hpp"
 #include "medium/layer_optics.hpp"
 #include "optics/air_molecules.hpp"
@@ -43,10 +44,11 @@ std::vector<double> middles_km(const optics::AirProfile& profile) {
 
 /// The middles of layers that are too thick.
 std::vector<double> too_thick(const optics::AirLibrary& library, const optics::AirProfile& profile,
-                              const optics::AerosolChoice& aerosols, double laser_nm) {
+                              const optics::AerosolChoice& aerosols, double laser_nm,
+                              const std::stop_token& stop) {
   const std::vector<double> middles = middles_km(profile);
   const auto depths = depths_of(optics::air_at(library, with_edges(profile, middles), aerosols,
-                                               laser_nm, optics::Phases::left_out));
+                                               laser_nm, optics::Phases::left_out, stop));
   std::vector<double> out;
   for (std::size_t k = 0; k < middles.size(); ++k) {
     const double lower = depths[2 * k], upper = depths[2 * k + 1];
@@ -178,13 +180,13 @@ double Air::optical_depth(std::size_t line) const {
 }
 
 AirBuilder::AirBuilder(const scene::Scene& scene, const optics::Library& library,
-                       const std::vector<Line>& lines)
-    : library_(library), lines_(lines) {
+                       const std::vector<Line>& lines, std::stop_token stop)
+    : library_(library), lines_(lines), stop_(std::move(stop)) {
   const scene::Atmosphere& air = *scene.atmosphere;
   if (!air.layer.empty()) return;
   for (;;) {
-    auto more =
-        too_thick(library.air(), in_layers(air), aerosols_of(air), lines.front().wavelength_nm);
+    auto more = too_thick(library.air(), in_layers(air), aerosols_of(air),
+                          lines.front().wavelength_nm, stop_);
     if (more.empty()) return;
     halved_km_.push_back(std::move(more));
   }
@@ -223,10 +225,11 @@ Air AirBuilder::operator()(const scene::Scene& scene) const {
 
 optics::AirOptics AirBuilder::at(const scene::Scene& scene, double wavelength_nm,
                                  optics::Phases phases) const {
+  break_off_if(stop_);
   const scene::Atmosphere& atmosphere = *scene.atmosphere;
   if (!atmosphere.layer.empty()) return of_layers(scene, wavelength_nm);
   auto air = optics::air_at(library_.air(), in_layers(atmosphere), aerosols_of(atmosphere),
-                            wavelength_nm, phases);
+                            wavelength_nm, phases, stop_);
   add_gases(atmosphere, wavelength_nm, air);
   return air;
 }
@@ -241,7 +244,7 @@ optics::AirProfile AirBuilder::in_layers(const scene::Atmosphere& air) const {
 }
 
 optics::AirOptics AirBuilder::of_layers(const scene::Scene& scene, double wavelength_nm) const {
-  const LayerOptics optics_of(scene, library_);
+  const LayerOptics optics_of(scene, library_, stop_);
   optics::AirOptics air;
   air.depolarisation = optics::air_depolarisation(wavelength_nm);
   air.profile_source = "given in the scene";
@@ -263,9 +266,9 @@ optics::AirOptics AirBuilder::of_layers(const scene::Scene& scene, double wavele
 }
 
 std::optional<Air> build_air(const scene::Scene& scene, const optics::Library& library,
-                             const std::vector<Line>& lines) {
+                             const std::vector<Line>& lines, const std::stop_token& stop) {
   if (!scene.atmosphere) return std::nullopt;
-  return AirBuilder(scene, library, lines)(scene);
+  return AirBuilder(scene, library, lines, stop)(scene);
 }
 
 std::vector<std::string> reported_air(const scene::Scene& scene, const Air& air) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -59,7 +60,7 @@ class AirBuilder {
  public:
   /// Throws EnvironmentError for data that are missing or damaged.
   AirBuilder(const scene::Scene& scene, const optics::Library& library,
-             const std::vector<Line>& lines);
+             const std::vector<Line>& lines, std::stop_token stop = {});
 
   /// Returns the air of the scene, or of the scene in an environment; there must be an
   /// [atmosphere]. Throws InputError for what check_medium (medium/check.hpp) finds.
@@ -75,12 +76,13 @@ class AirBuilder {
 
   const optics::Library& library_;
   const std::vector<Line>& lines_;
+  std::stop_token stop_;
   std::vector<std::vector<double>> halved_km_;  ///< edges that a profile's layers are halved by
 };
 
 /// None without an [atmosphere]. Throws as AirBuilder does.
 std::optional<Air> build_air(const scene::Scene& scene, const optics::Library& library,
-                             const std::vector<Line>& lines);
+                             const std::vector<Line>& lines, const std::stop_token& stop = {});
 
 /// The lines of `photic show` about the air.
 std::vector<std::string> reported_air(const scene::Scene& scene, const Air& air);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/stop.hpp"
 #include "medium/air.hpp"
 #include "medium/bed.hpp"
 #include "medium/lines.hpp"
@@ -39,11 +40,12 @@ void add_ground(const scene::Scene& scene, Medium& medium) {
 
 }  // namespace
 
-Medium build_air_alone(const scene::Scene& scene, const optics::Library& library) {
+Medium build_air_alone(const scene::Scene& scene, const optics::Library& library,
+                       const std::stop_token& stop) {
   Medium medium;
   medium.line.push_back(
       {.process = Process::elastic, .wavelength_nm = scene.source.wavelength_nm, .counted_by = {}});
-  const Air air = build_air(scene, library, medium.line).value();
+  const Air air = build_air(scene, library, medium.line, stop).value();
   medium.sources = air.sources;
   for (auto height = air.height_m.rbegin(); height != air.height_m.rend(); ++height)
     medium.top.push_back(air.height_m.back() - *height);
@@ -52,6 +54,7 @@ Medium build_air_alone(const scene::Scene& scene, const optics::Library& library
                       absorbers.constituent,
                       {absorbers.share.rbegin(), absorbers.share.rend()}};
   for (std::size_t k = air.layers(); k-- > 0;) {
+    break_off_if(stop);
     const double c = std::max(air.a[k] + air.b[k], min_attenuation);
     medium.c.push_back(c);
     medium.albedo.push_back(air.b[k] / c);

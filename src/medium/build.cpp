@@ -70,8 +70,9 @@ Row row_of(const scene::Sea& sea) {
 
 }  // namespace
 
-Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
-  const LayerOptics optics_of(scene, library);
+Medium build_medium(const scene::Scene& scene, const optics::Library& library,
+                    const std::stop_token& stop) {
+  const LayerOptics optics_of(scene, library, stop);
   Medium medium;
   medium.row = row_of(scene.sea);
   const double laser_nm = scene.source.wavelength_nm;
@@ -117,9 +118,9 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   add_bed(scene, medium);
   add_surface(scene, library, medium);
   if (oil) add_film(scene, *oil, medium);
-  add_environments(scene, library, medium);
+  add_environments(scene, library, medium, stop);
   add_surfaces_of_environments(scene, medium);
-  add_films_of_environments(scene, library, medium);
+  add_films_of_environments(scene, library, medium, stop);
   medium.finish();
   return medium;
 }

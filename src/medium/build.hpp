@@ -1,6 +1,8 @@
 // Scene + optics → Medium.
 #pragma once
 
+#include <stop_token>
+
 #include "medium/lines.hpp"
 #include "medium/medium.hpp"
 #include "optics/library.hpp"
@@ -11,6 +13,7 @@ namespace photic::medium {
 /// The sea of a scene at the laser's wavelength and at those of the inelastic processes that a
 /// channel of the scene counts. Throws InputError for what check_medium (medium/check.hpp) finds,
 /// which reports more: all of it, and where.
-Medium build_medium(const scene::Scene& scene, const optics::Library& library);
+Medium build_medium(const scene::Scene& scene, const optics::Library& library,
+                    const std::stop_token& stop = {});
 
 }  // namespace photic::medium

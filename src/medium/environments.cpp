@@ -78,8 +78,8 @@ double emitted_into(const Line& line, std::size_t layer, const std::vector<Emitt
 
 LayerCoefficients waters_of(const std::string& who, const scene::Scene& scene,
                             const optics::Library& library, const Medium& medium,
-                            PhaseTables& tables) {
-  const LayerOptics optics_of(scene, library);
+                            PhaseTables& tables, const std::stop_token& stop) {
+  const LayerOptics optics_of(scene, library, stop);
   const auto layers = scene::layers_of(scene.sea);
   std::vector<WaterOptics> at_laser;
   for (const auto& at : layers) at_laser.push_back(optics_of(at.layer, scene.source.wavelength_nm));
@@ -105,17 +105,18 @@ LayerCoefficients waters_of(const std::string& who, const scene::Scene& scene,
 
 std::vector<Variation> variations_of(const scene::Scene& scene, const LayerCoefficients& reference,
                                      const optics::Library& library, const Medium& medium,
-                                     PhaseTables& tables) {
+                                     PhaseTables& tables, const std::stop_token& stop) {
   std::vector<Variation> out;
   for (const auto& environment : scene.environment) {
     const std::string name = fmt::format("environment \"{}\"", environment.name);
-    out.push_back({name, reference,
-                   waters_of(name, scene::scene_in(scene, environment), library, medium, tables)});
+    out.push_back(
+        {name, reference,
+         waters_of(name, scene::scene_in(scene, environment), library, medium, tables, stop)});
   }
   for (const auto& s : scene.sensitivity) {
     const std::string name = fmt::format("sensitivity \"{}\"", s.path);
     const auto waters = [&](const scene::Environment& side) {
-      return waters_of(name, scene::scene_in(scene, side), library, medium, tables);
+      return waters_of(name, scene::scene_in(scene, side), library, medium, tables, stop);
     };
     out.push_back({name, waters(s.below), waters(s.above), s.value / (2 * s.step)});
   }
@@ -124,11 +125,12 @@ std::vector<Variation> variations_of(const scene::Scene& scene, const LayerCoeff
 
 }  // namespace
 
-void add_environments(const scene::Scene& scene, const optics::Library& library, Medium& medium) {
+void add_environments(const scene::Scene& scene, const optics::Library& library, Medium& medium,
+                      const std::stop_token& stop) {
   if (!scene.has_environments()) return;
   PhaseTables tables(medium);
-  const LayerCoefficients reference = waters_of("", scene, library, medium, tables);
-  const auto variations = variations_of(scene, reference, library, medium, tables);
+  const LayerCoefficients reference = waters_of("", scene, library, medium, tables, stop);
+  const auto variations = variations_of(scene, reference, library, medium, tables, stop);
   const auto layers = scene::layers_of(scene.sea);
   for (const Variation& v : variations) {
     for (std::size_t i = 0; i < reference.size(); ++i) {

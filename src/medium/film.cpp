@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/stop.hpp"
 #include "optics/film.hpp"
 
 namespace photic::medium {
@@ -132,7 +133,7 @@ void check_other_film(const std::string& who, bool there, const OtherFilm& here,
 }  // namespace
 
 void add_films_of_environments(const scene::Scene& scene, const optics::Library& library,
-                               Medium& medium) {
+                               Medium& medium, const std::stop_token& stop) {
   const auto& own = scene.oil;
   const bool same =
       std::ranges::all_of(scene.environment, [&](const auto& e) { return e.oil == own; }) &&
@@ -141,6 +142,7 @@ void add_films_of_environments(const scene::Scene& scene, const optics::Library&
   const OtherFilm here = other_film(scene, library, medium);
   const double yield = here.yield > 0 ? here.yield : 1;
   const auto of = [&](const scene::Environment& e) {
+    break_off_if(stop);
     return other_film(scene::scene_in(scene, e), library, medium);
   };
   const auto add = [&](OtherFilm from, OtherFilm to, double scale) {
@@ -157,17 +159,18 @@ void add_films_of_environments(const scene::Scene& scene, const optics::Library&
     check_other_film(fmt::format("sensitivity \"{}\"", s.path), above.exists, here, above);
     add(of(s.below), std::move(above), s.value / (2 * s.step));
   }
-  fill_film_tables(medium);
+  fill_film_tables(medium, stop);
 }
 
-void fill_film_tables(Medium& medium) {
+void fill_film_tables(Medium& medium, const std::stop_token& stop) {
   for (const FilmChange& change : medium.film_changes) {
+    break_off_if(stop);
     add_crossings(change, medium, medium.environments.film);
     add_emissions(change, medium.environments.film_emission);
   }
 }
 
-void add_film_from_air(const Medium& sea, Medium& air) {
+void add_film_from_air(const Medium& sea, Medium& air, const std::stop_token& stop) {
   const auto against_water = [&](std::vector<double>& index) {
     for (std::size_t l = 0; l < index.size(); ++l) index[l] /= sea.line[l].refractive_index;
   };
@@ -176,7 +179,7 @@ void add_film_from_air(const Medium& sea, Medium& air) {
   air.film_changes = sea.film_changes;
   for (FilmChange& change : air.film_changes)
     against_water(change.from.index), against_water(change.to.index);
-  fill_film_tables(air);
+  fill_film_tables(air, stop);
 }
 
 namespace {

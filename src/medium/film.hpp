@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "medium/lines.hpp"
@@ -37,13 +38,13 @@ FilmBothWays film_both_ways(const scene::Scene& scene, const Medium& medium, std
 /// own, which has to be filled in before. Throws InputError where the scene's histories do not
 /// cover them.
 void add_films_of_environments(const scene::Scene& scene, const optics::Library& library,
-                               Medium& medium);
+                               Medium& medium, const std::stop_token& stop);
 
 /// Fills in the tables of a medium's film_changes.
-void fill_film_tables(Medium& medium);
+void fill_film_tables(Medium& medium, const std::stop_token& stop);
 
 /// Gives the air the film of the sea below it: its index is that against the water, which lies
 /// outside of the air.
-void add_film_from_air(const Medium& sea, Medium& air);
+void add_film_from_air(const Medium& sea, Medium& air, const std::stop_token& stop);
 
 }  // namespace photic::medium

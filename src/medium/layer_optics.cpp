@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/interpolation.hpp"
+#include "core/stop.hpp"
 #include "medium/lines.hpp"
 #include "optics/cdom.hpp"
 #include "optics/data_table.hpp"
@@ -73,10 +75,12 @@ WaterOptics of_table(const scene::Layer& layer, const scene::Sea& sea, double wa
 
 }  // namespace
 
-LayerOptics::LayerOptics(const scene::Scene& scene, const optics::Library& library)
-    : scene_(&scene), library_(&library) {}
+LayerOptics::LayerOptics(const scene::Scene& scene, const optics::Library& library,
+                         std::stop_token stop)
+    : scene_(&scene), library_(&library), stop_(std::move(stop)) {}
 
 WaterOptics LayerOptics::operator()(const scene::Layer& layer, double wavelength_nm) const {
+  break_off_if(stop_);
   WaterOptics water = !layer.iop.empty()      ? of_table(layer, scene_->sea, wavelength_nm)
                       : !layer.jerlov.empty() ? of_jerlov_type(layer, wavelength_nm)
                                               : of_constituents(layer, wavelength_nm);
@@ -124,7 +128,7 @@ optics::Minerals LayerOptics::minerals(const scene::Layer& layer, double wavelen
   if (g_m3 == 0) return {};
   if (scene_->optics.minerals == scene::MineralOptics::mie)
     return optics::minerals_of_spheres(
-        library_->spheres.sections(spheres(optics::paper_minerals, wavelength_nm)), g_m3);
+        library_->spheres.sections(spheres(optics::paper_minerals, wavelength_nm), stop_), g_m3);
   return optics::minerals_by_power_law(scene_->optics.minerals_power_law, g_m3, wavelength_nm);
 }
 
@@ -219,7 +223,7 @@ optics::PhaseShape LayerOptics::shape(const scene::PhaseFunction& function,
     case table:
       return optics::phase_from_table(function.table.data()).shape;
     case mie:
-      return *library_->spheres.phase(spheres(function.particles, wavelength_nm));
+      return *library_->spheres.phase(spheres(function.particles, wavelength_nm), stop_);
     case mixture:
       return mixed(function, wavelength_nm);
   }
@@ -247,7 +251,7 @@ optics::PhaseShape LayerOptics::phase_of_particles(scene::ParticlePhase model,
                                                    double ff_index, double ff_slope,
                                                    double wavelength_nm) const {
   if (model == scene::ParticlePhase::mie)
-    return *library_->spheres.phase(spheres(particles, wavelength_nm));
+    return *library_->spheres.phase(spheres(particles, wavelength_nm), stop_);
   if (model == scene::ParticlePhase::petzold) return optics::petzold(*library_);
   return optics::fournier_forand(ff_index, ff_slope);
 }

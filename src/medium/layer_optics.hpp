@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -52,9 +53,9 @@ struct ScatteringPart {
 
 class LayerOptics {
  public:
-  LayerOptics(const scene::Scene& scene, const optics::Library& library);
+  LayerOptics(const scene::Scene& scene, const optics::Library& library, std::stop_token stop = {});
 
-  /// All below throw InputError where there are no data for the wavelength.
+  /// All below throw InputError where there are no data for the wavelength, and Stopped.
   WaterOptics operator()(const scene::Layer& layer, double wavelength_nm) const;
 
   /// The parts of a layer of constituents.
@@ -95,6 +96,7 @@ class LayerOptics {
 
   const scene::Scene* scene_;
   const optics::Library* library_;
+  std::stop_token stop_;
   mutable std::optional<optics::PhytoplanktonTable> phytoplankton_table_;  ///< once it is needed
 };
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "core/stop.hpp"
 #include "medium/outside_column.hpp"
 #include "medium/variations.hpp"
 
@@ -28,7 +29,7 @@ void check_scattering(const scene::Scene& scene, const Air& here, const OtherAir
 /// The coefficients of the air as a medium, whose phase functions go into it.
 class AirCoefficients {
  public:
-  explicit AirCoefficients(Medium& medium) : medium_(medium) {}
+  AirCoefficients(Medium& medium, const std::stop_token& stop) : medium_(medium), stop_(stop) {}
 
   LayerCoefficients operator()(const Air& air) {
     LayerCoefficients out;
@@ -54,20 +55,22 @@ class AirCoefficients {
  private:
   std::int32_t phase_of(const optics::AirScatterer& by) {
     if (const auto known = known_.find(by.name); known != known_.end()) return known->second;
+    break_off_if(stop_);
     const std::int32_t number = medium_.add_phase(optics::PhaseTable(by.phase));
     if (!by.name.empty()) known_.emplace(by.name, number);
     return number;
   }
 
   Medium& medium_;
+  const std::stop_token& stop_;
   std::map<std::string, std::int32_t> known_;
 };
 
 }  // namespace
 
 std::vector<OtherAir> other_airs(const scene::Scene& scene, const optics::Library& library,
-                                 const std::vector<Line>& lines) {
-  const AirBuilder build(scene, library, lines);
+                                 const std::vector<Line>& lines, const std::stop_token& stop) {
+  const AirBuilder build(scene, library, lines, stop);
   const Air here = build(scene);
   const auto in = [&](const scene::Environment& environment) {
     return environment.atmosphere == scene.atmosphere ? here
@@ -101,8 +104,8 @@ std::vector<double> excess_depths(const std::vector<OtherAir>& airs,
 }
 
 void add_other_airs(const Air& air, const std::vector<OtherAir>& airs, const Medium& sea,
-                    Medium& medium) {
-  AirCoefficients coefficients_of(medium);
+                    Medium& medium, const std::stop_token& stop) {
+  AirCoefficients coefficients_of(medium, stop);
   std::vector<Variation> variations;
   for (const OtherAir& other : airs)
     variations.push_back(

@@ -2,6 +2,7 @@
 // scene's (docs/theory.md, "Environments"): as medium/environments.hpp has it of the water.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct OtherAir {
 /// The airs of all environments of a scene with an [atmosphere], and then of all derivatives.
 /// Throws InputError where light is scattered in an environment where it never is in the scene.
 std::vector<OtherAir> other_airs(const scene::Scene& scene, const optics::Library& library,
-                                 const std::vector<Line>& lines);
+                                 const std::vector<Line>& lines, const std::stop_token& stop = {});
 
 /// The excess depth of the air in each of them, straight up from the sea to heights [m],
 /// [environment][height][line]; 0 for heights below it.
@@ -32,6 +33,6 @@ std::vector<double> excess_depths(const std::vector<OtherAir>& airs,
 /// Adds their tables to the air as a medium, which is not finished yet. The surface is in each as
 /// it is for the sea.
 void add_other_airs(const Air& air, const std::vector<OtherAir>& airs, const Medium& sea,
-                    Medium& medium);
+                    Medium& medium, const std::stop_token& stop);
 
 }  // namespace photic::medium

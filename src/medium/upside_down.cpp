@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/stop.hpp"
 #include "medium/film.hpp"
 #include "medium/outside_column.hpp"
 
@@ -24,7 +25,7 @@ void add_surface(const Medium& sea, Medium& medium) {
 }  // namespace
 
 Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Medium& sea,
-                   double counts_to_m, double end_m) {
+                   double counts_to_m, double end_m, const std::stop_token& stop) {
   Medium medium;
   medium.kind = MediumKind::air;
   medium.line = sea.line;
@@ -41,7 +42,10 @@ Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Me
   std::vector<std::vector<std::int32_t>> phases;
   for (std::size_t i = 0; i < air.phases.size(); ++i) {
     auto& of_layers = phases.emplace_back();
-    for (std::size_t k = 0; k < layers; ++k) of_layers.push_back(medium.add_phase(air.phase(i, k)));
+    for (std::size_t k = 0; k < layers; ++k) {
+      break_off_if(stop);
+      of_layers.push_back(medium.add_phase(air.phase(i, k)));
+    }
     if (vacuum) of_layers.push_back(of_layers.back());
   }
   const auto add = [&](double a, double b, double delay) {
@@ -60,11 +64,11 @@ Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Me
     medium.conversion_phase.push_back(0);
   }
   add_surface(sea, medium);
-  add_film_from_air(sea, medium);
+  add_film_from_air(sea, medium, stop);
   medium.scattering_to_instruments = integral_to(air.height_m, air.b, 0, counts_to_m);
   medium.depth_to_instruments =
       medium.scattering_to_instruments + integral_to(air.height_m, air.a, 0, counts_to_m);
-  if (!others.empty()) add_other_airs(air, others, sea, medium);
+  if (!others.empty()) add_other_airs(air, others, sea, medium, stop);
   medium.finish();
   return medium;
 }

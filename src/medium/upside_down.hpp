@@ -3,6 +3,8 @@
 // surface as light from the air sees it.
 #pragma once
 
+#include <stop_token>
+
 #include "medium/air.hpp"
 #include "medium/medium.hpp"
 #include "medium/other_airs.hpp"
@@ -16,7 +18,7 @@ inline constexpr double min_attenuation = 1e-20;
 /// is nothing up to the height `end`, where light ends. `counts_to`: the height up to which light
 /// that the air scatters may come to a telescope; `others`: other_airs() of the scene.
 Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Medium& sea,
-                   double counts_to_m, double end_m);
+                   double counts_to_m, double end_m, const std::stop_token& stop = {});
 
 /// Takes the group index of the water, which is relative to air, relative to vacuum: n_g n_a + n
 /// (n_ga - n_a), with the indices of the lowest air [D]. Its index stays relative to that air.

@@ -67,11 +67,11 @@ AerosolOptics AerosolModel::at(double nm, double relative_humidity_percent) cons
 }
 
 AerosolOptics aerosol_optics(const AirLibrary& library, const std::string& model,
-                             double wavelength_nm, double relative_humidity_percent,
-                             Phases phases) {
+                             double wavelength_nm, double relative_humidity_percent, Phases phases,
+                             const std::stop_token& stop) {
   const std::string opac = "opac-";
   if (model.starts_with(opac))
-    return library.opac.at(library.spheres, model.substr(opac.size()), wavelength_nm, phases);
+    return library.opac.at(library.spheres, model.substr(opac.size()), wavelength_nm, phases, stop);
   const auto found = library.aerosols.find(model);
   if (found == library.aerosols.end()) {
     no_model("aerosol", model,

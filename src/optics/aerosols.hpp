@@ -2,6 +2,7 @@
 // relative humidity. The amount of aerosol is in an AirProfile.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,6 @@ class AerosolModel {
 /// relative humidity of its own, as in "opac-waso-80". Throws InputError.
 AerosolOptics aerosol_optics(const AirLibrary& library, const std::string& model,
                              double wavelength_nm, double relative_humidity_percent,
-                             Phases phases = Phases::wanted);
+                             Phases phases = Phases::wanted, const std::stop_token& stop = {});
 
 }  // namespace photic::optics

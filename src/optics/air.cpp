@@ -23,12 +23,13 @@ void add_source(std::string& list, const std::string& source) {
 class LayerMaker {
  public:
   LayerMaker(const AirLibrary& library, const AirProfile& profile, const AerosolChoice& choice,
-             double nm, Phases phases, AirOptics& out)
+             double nm, Phases phases, const std::stop_token& stop, AirOptics& out)
       : library_(library),
         profile_(profile),
         choice_(choice),
         nm_(nm),
         phases_(phases),
+        stop_(stop),
         out_(out) {}
 
   /// Between the edges i - 1 and i.
@@ -61,7 +62,8 @@ class LayerMaker {
           per_m_of_km * mean(profile_.aerosol_z_km, profile_.aerosols_per_km[k]);
       if (at_550_per_m == 0) continue;
       const double humidity = middle(profile_.relative_humidity_percent);
-      const AerosolOptics of = aerosol_optics(library_, choice_.model[k], nm_, humidity, phases_);
+      const AerosolOptics of =
+          aerosol_optics(library_, choice_.model[k], nm_, humidity, phases_, stop_);
       const double b = at_550_per_m * of.scattering();
       layer.aerosols_a_per_m += at_550_per_m * of.absorption;
       layer.aerosols_b_per_m += b;
@@ -82,6 +84,7 @@ class LayerMaker {
   const AerosolChoice& choice_;
   double nm_;
   Phases phases_;
+  const std::stop_token& stop_;
   AirOptics& out_;
 };
 
@@ -97,12 +100,13 @@ PhaseShape phase_of(const std::vector<AirScatterer>& scatterers) {
 }
 
 AirOptics air_at(const AirLibrary& library, const AirProfile& profile,
-                 const AerosolChoice& aerosols, double wavelength_nm, Phases phases) {
+                 const AerosolChoice& aerosols, double wavelength_nm, Phases phases,
+                 const std::stop_token& stop) {
   AirOptics out;
   out.depolarisation = air_depolarisation(wavelength_nm);
   out.profile_source = profile.source;
   out.molecules_source = air_scattering_source;
-  LayerMaker make(library, profile, aerosols, wavelength_nm, phases, out);
+  LayerMaker make(library, profile, aerosols, wavelength_nm, phases, stop, out);
   for (std::size_t i = 1; i < profile.edges_km.size(); ++i) out.layers.push_back(make(i));
   out.gases_source = "left out";
   if (out.ozone_source.empty()) out.ozone_source = "no ozone";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,6 @@ struct AirOptics {
 /// there is ozone, from 250 nm for OPAC) or a model that does not exist.
 AirOptics air_at(const AirLibrary& library, const AirProfile& profile,
                  const AerosolChoice& aerosols, double wavelength_nm,
-                 Phases phases = Phases::wanted);
+                 Phases phases = Phases::wanted, const std::stop_token& stop = {});
 
 }  // namespace photic::optics

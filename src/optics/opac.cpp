@@ -78,10 +78,10 @@ Spheres Opac::spheres(const std::string& component, double nm) const {
 }
 
 AerosolOptics Opac::at(const SampledSpheresCache& cache, const std::string& component, double nm,
-                       Phases phases) const {
+                       Phases phases, const std::stop_token& stop) const {
   const Spheres here = spheres(component, nm);
-  const auto there = phases == Phases::wanted ? cache(here) : cache.sections(here);
-  const auto at_550 = cache.sections(spheres(component, 550));
+  const auto there = phases == Phases::wanted ? cache(here, stop) : cache.sections(here, stop);
+  const auto at_550 = cache.sections(spheres(component, 550), stop);
   AerosolOptics out;
   out.extinction = there->extinction_m2 / at_550->extinction_m2;
   out.absorption = there->absorption_m2 / at_550->extinction_m2;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,11 @@ class Opac {
   /// extinction. Throws InputError for another name or a wavelength outside the data.
   [[nodiscard]] Spheres spheres(const std::string& component, double wavelength_nm) const;
 
-  /// Throws InputError as spheres() does. Takes up to some seconds, once for each wavelength.
+  /// Throws InputError as spheres() does, and Stopped. Takes up to some seconds, once for each
+  /// wavelength.
   [[nodiscard]] AerosolOptics at(const SampledSpheresCache& cache, const std::string& component,
-                                 double wavelength_nm, Phases phases = Phases::wanted) const;
+                                 double wavelength_nm, Phases phases = Phases::wanted,
+                                 const std::stop_token& stop = {}) const;
 
  private:
   struct Component {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/constants.hpp"
+#include "core/stop.hpp"
 #include "optics/mie.hpp"
 #include "optics/phase_between_angles.hpp"
 
@@ -67,13 +68,15 @@ struct SizeSums {
 
 /// Adds up spheres whose sizes are equal modulo the number of size_blocks: large and small ones.
 SizeSums sum_block(const Spheres& spheres, const SampledSizes& sizes,
-                   const std::vector<double>& cosines, std::size_t first) {
+                   const std::vector<double>& cosines, std::size_t first,
+                   const std::stop_token& stop) {
   const MieContrast contrast({spheres.index, -spheres.absorption_index});
   const double wave_number = 2 * pi / spheres.wavelength_m;
   std::vector<MieAmplitudes> amplitude(cosines.size());
   SizeSums sums;
   sums.s11.assign(cosines.size(), 0.0);
   for (std::size_t i = first; i < sizes.x.size(); i += size_blocks) {
+    break_off_if(stop);
     const double radius = sizes.x[i] / wave_number;
     const double n = number_per_log_radius(spheres.sizes, radius) * sizes.width[i];
     const MieSphere sphere(sizes.x[i], contrast.index);
@@ -91,14 +94,16 @@ SizeSums sum_block(const Spheres& spheres, const SampledSizes& sizes,
   return sums;
 }
 
-SizeSums sum_over_sizes(const Spheres& spheres, const std::vector<double>& cosines) {
+SizeSums sum_over_sizes(const Spheres& spheres, const std::vector<double>& cosines,
+                        const std::stop_token& stop) {
   const std::vector<double> ends = smooth_between_m(spheres.sizes);
   const double wave_number = 2 * pi / spheres.wavelength_m;
   const SampledSizes sizes(wave_number * ends.front(), wave_number * ends.back());
   std::vector<std::future<SizeSums>> parts;
   for (std::size_t first = 0; first < size_blocks; ++first)
-    parts.push_back(std::async(std::launch::async,
-                               [&, first] { return sum_block(spheres, sizes, cosines, first); }));
+    parts.push_back(std::async(std::launch::async, [&, first] {
+      return sum_block(spheres, sizes, cosines, first, stop);
+    }));
   SizeSums sums = parts.front().get();
   for (std::size_t i = 1; i < size_blocks; ++i) sums += parts[i].get();
   return sums;
@@ -116,12 +121,12 @@ SampledSpheres means_of(const Spheres& spheres, const SizeSums& sums) {
 
 }  // namespace
 
-SampledSpheres sampled_spheres(const Spheres& spheres) {
+SampledSpheres sampled_spheres(const Spheres& spheres, const std::stop_token& stop) {
   const PhaseAngles angles;
   std::vector<double> cosines;
   for (const double degrees : angles.degrees())
     cosines.push_back(std::cos(degrees * radian_per_degree));
-  SizeSums sums = sum_over_sizes(spheres, cosines);
+  SizeSums sums = sum_over_sizes(spheres, cosines, stop);
   SampledSpheres out = means_of(spheres, sums);
   for (double& p : sums.s11) p /= sums.scattering;
   PhaseBetweenAngles phase = phase_between_angles(sums.s11);
@@ -130,23 +135,22 @@ SampledSpheres sampled_spheres(const Spheres& spheres) {
   return out;
 }
 
-SampledSpheres sampled_sections(const Spheres& spheres) {
-  return means_of(spheres, sum_over_sizes(spheres, {}));
+SampledSpheres sampled_sections(const Spheres& spheres, const std::stop_token& stop) {
+  return means_of(spheres, sum_over_sizes(spheres, {}, stop));
 }
 
 std::shared_ptr<const SampledSpheres> SampledSpheresCache::operator()(
-    const Spheres& spheres) const {
-  const std::lock_guard lock(mutex_);
-  auto& known = known_[spheres];
-  if (!known) known = std::make_shared<const SampledSpheres>(sampled_spheres(spheres));
-  return known;
+    const Spheres& spheres, const std::stop_token& stop) const {
+  return known_(spheres, [&] {
+    return std::make_shared<const SampledSpheres>(sampled_spheres(spheres, stop));
+  });
 }
 
-std::shared_ptr<const SampledSpheres> SampledSpheresCache::sections(const Spheres& spheres) const {
-  const std::lock_guard lock(mutex_);
-  auto& known = sections_[spheres];
-  if (!known) known = std::make_shared<const SampledSpheres>(sampled_sections(spheres));
-  return known;
+std::shared_ptr<const SampledSpheres> SampledSpheresCache::sections(
+    const Spheres& spheres, const std::stop_token& stop) const {
+  return sections_(spheres, [&] {
+    return std::make_shared<const SampledSpheres>(sampled_sections(spheres, stop));
+  });
 }
 
 }  // namespace photic::optics

@@ -2,10 +2,10 @@
 // theory at a few thousand sizes and a few hundred angles (docs/theory.md, "Aerosols").
 #pragma once
 
-#include <map>
 #include <memory>
-#include <mutex>
+#include <stop_token>
 
+#include "core/kept.hpp"
 #include "optics/spheres.hpp"
 
 namespace photic::optics {
@@ -22,23 +22,22 @@ struct SampledSpheres {
 /// Cross-sections and g are within 1e-3 of optics_of_spheres; p is within 1.5 % where spheres
 /// absorb (k above 1e-3). Resonances of spheres that do not are met by chance: there p is within 2
 /// % up to 90 degrees and some 6 % beyond. The same bits on any number of threads. Throws
-/// ContractViolation as optics_of_spheres does.
-SampledSpheres sampled_spheres(const Spheres& spheres);
+/// ContractViolation and Stopped as optics_of_spheres does.
+SampledSpheres sampled_spheres(const Spheres& spheres, const std::stop_token& stop = {});
 
 /// The same without the phase function, in a fraction of the time.
-SampledSpheres sampled_sections(const Spheres& spheres);
+SampledSpheres sampled_sections(const Spheres& spheres, const std::stop_token& stop = {});
 
-/// Computes each kind of spheres once. May be used by several threads.
+/// Keeps each kind of spheres, as SpheresCache does.
 class SampledSpheresCache {
  public:
-  std::shared_ptr<const SampledSpheres> operator()(const Spheres& spheres) const;
-  std::shared_ptr<const SampledSpheres> sections(const Spheres& spheres) const;
+  std::shared_ptr<const SampledSpheres> operator()(const Spheres& spheres,
+                                                   const std::stop_token& stop = {}) const;
+  std::shared_ptr<const SampledSpheres> sections(const Spheres& spheres,
+                                                 const std::stop_token& stop = {}) const;
 
  private:
-  using Known = std::map<Spheres, std::shared_ptr<const SampledSpheres>>;
-
-  mutable std::mutex mutex_;
-  mutable Known known_, sections_;
+  Kept<Spheres, std::shared_ptr<const SampledSpheres>> known_, sections_;
 };
 
 }  // namespace photic::optics

@@ -10,6 +10,7 @@
 
 #include "core/constants.hpp"
 #include "core/error.hpp"
+#include "core/stop.hpp"
 #include "optics/mie.hpp"
 
 namespace photic::optics {
@@ -26,8 +27,9 @@ struct Of {
 
 class Integrand {
  public:
-  Integrand(const Spheres& spheres, int angles)
+  Integrand(const Spheres& spheres, int angles, const std::stop_token& stop)
       : spheres_(spheres),
+        stop_(stop),
         wave_number_(2 * pi / spheres.wavelength_m),
         contrast_({spheres.index, -spheres.absorption_index}),
         rule_(angles),
@@ -51,6 +53,7 @@ class Integrand {
 
   /// Per ln(radius).
   void evaluate(double log_radius, Values& out) {
+    break_off_if(stop_);
     const double radius = std::exp(log_radius);
     const double n = number_per_log_radius(spheres_.sizes, radius);
     const MieSphere sphere(wave_number_ * radius, contrast_.index);
@@ -71,6 +74,7 @@ class Integrand {
 
  private:
   const Spheres& spheres_;
+  const std::stop_token& stop_;
   double wave_number_;
   MieContrast contrast_;
   GaussRule rule_;
@@ -186,9 +190,9 @@ bool AdaptiveIntegral::halve_the_worst(Integrand& f) {
 
 }  // namespace
 
-SpheresOptics optics_of_spheres(const Spheres& spheres) {
+SpheresOptics optics_of_spheres(const Spheres& spheres, const std::stop_token& stop) {
   const double largest_m = smooth_between_m(spheres.sizes).back();
-  Integrand integrand(spheres, 2 * mie_orders(2 * pi / spheres.wavelength_m * largest_m) + 2);
+  Integrand integrand(spheres, 2 * mie_orders(2 * pi / spheres.wavelength_m * largest_m) + 2, stop);
   const AdaptiveIntegral integral(integrand, smooth_between_m(spheres.sizes));
   const Values& total = integral.total();
   Values p(total.begin() + Of::angles, total.end());
@@ -204,8 +208,8 @@ SpheresOptics optics_of_spheres(const Spheres& spheres) {
           .radii = integrand.radii()};
 }
 
-SphereSections sections_of_spheres(const Spheres& spheres) {
-  Integrand integrand(spheres, 2);  // as few angles as there can be
+SphereSections sections_of_spheres(const Spheres& spheres, const std::stop_token& stop) {
+  Integrand integrand(spheres, 2, stop);  // as few angles as there can be
   const AdaptiveIntegral integral(integrand, smooth_between_m(spheres.sizes));
   return integrand.sections(integral.total());
 }
@@ -231,26 +235,22 @@ PhaseShape phase_of_spheres(std::shared_ptr<const SpheresOptics> optics) {
   return shape;
 }
 
-std::shared_ptr<const SpheresOptics> SpheresCache::operator()(const Spheres& spheres) const {
-  const std::lock_guard lock(mutex_);
-  auto& known = known_[spheres];
-  if (!known) known = std::make_shared<const SpheresOptics>(optics_of_spheres(spheres));
-  return known;
+std::shared_ptr<const SpheresOptics> SpheresCache::operator()(const Spheres& spheres,
+                                                              const std::stop_token& stop) const {
+  return known_(spheres, [&] {
+    return std::make_shared<const SpheresOptics>(optics_of_spheres(spheres, stop));
+  });
 }
 
-SphereSections SpheresCache::sections(const Spheres& spheres) const {
-  const std::lock_guard lock(mutex_);
-  const auto known = sections_.find(spheres);
-  if (known != sections_.end()) return known->second;
-  return sections_.emplace(spheres, sections_of_spheres(spheres)).first->second;
+SphereSections SpheresCache::sections(const Spheres& spheres, const std::stop_token& stop) const {
+  return sections_(spheres, [&] { return sections_of_spheres(spheres, stop); });
 }
 
-std::shared_ptr<const PhaseShape> SpheresCache::phase(const Spheres& spheres) const {
-  const auto optics = (*this)(spheres);
-  const std::lock_guard lock(mutex_);
-  auto& known = phase_[spheres];
-  if (!known) known = std::make_shared<const PhaseShape>(phase_of_spheres(optics));
-  return known;
+std::shared_ptr<const PhaseShape> SpheresCache::phase(const Spheres& spheres,
+                                                      const std::stop_token& stop) const {
+  return phase_(spheres, [&] {
+    return std::make_shared<const PhaseShape>(phase_of_spheres((*this)(spheres, stop)));
+  });
 }
 
 }  // namespace photic::optics

@@ -1,10 +1,10 @@
 // The optics of many spheres of one material: Mie theory integrated over their sizes.
 #pragma once
 
-#include <map>
 #include <memory>
-#include <mutex>
+#include <stop_token>
 
+#include "core/kept.hpp"
 #include "optics/legendre.hpp"
 #include "optics/phase_table.hpp"
 #include "optics/size_distribution.hpp"
@@ -41,30 +41,30 @@ inline constexpr double spheres_tolerance = 1e-4;
 
 /// Takes as long as the cube of the largest size parameter: a tenth of a second at 100, some ten at
 /// 1000, where it ends with what it has reached. Throws ContractViolation for what Mie theory
-/// cannot do or for a distribution that is none.
-SpheresOptics optics_of_spheres(const Spheres& spheres);
+/// cannot do or for a distribution that is none, and Stopped.
+SpheresOptics optics_of_spheres(const Spheres& spheres, const std::stop_token& stop = {});
 
 /// As optics_of_spheres.
-SphereSections sections_of_spheres(const Spheres& spheres);
+SphereSections sections_of_spheres(const Spheres& spheres, const std::stop_token& stop = {});
 
 /// The phase function for a PhaseTable. Throws InputError if it has detail too fine for one, as
 /// that of large spheres near 180 degrees may be.
 PhaseShape phase_of_spheres(std::shared_ptr<const SpheresOptics> optics);
 
-/// Computes each kind of spheres once, and what their phase function is at the nodes of a table.
-/// May be used by several threads.
+/// Keeps each kind of spheres, and what their phase function is at the nodes of a table.
 class SpheresCache {
  public:
-  std::shared_ptr<const SpheresOptics> operator()(const Spheres& spheres) const;
-  SphereSections sections(const Spheres& spheres) const;
+  std::shared_ptr<const SpheresOptics> operator()(const Spheres& spheres,
+                                                  const std::stop_token& stop = {}) const;
+  SphereSections sections(const Spheres& spheres, const std::stop_token& stop = {}) const;
   /// Throws as phase_of_spheres does.
-  std::shared_ptr<const PhaseShape> phase(const Spheres& spheres) const;
+  std::shared_ptr<const PhaseShape> phase(const Spheres& spheres,
+                                          const std::stop_token& stop = {}) const;
 
  private:
-  mutable std::mutex mutex_;
-  mutable std::map<Spheres, std::shared_ptr<const SpheresOptics>> known_;
-  mutable std::map<Spheres, SphereSections> sections_;
-  mutable std::map<Spheres, std::shared_ptr<const PhaseShape>> phase_;
+  Kept<Spheres, std::shared_ptr<const SpheresOptics>> known_;
+  Kept<Spheres, SphereSections> sections_;
+  Kept<Spheres, std::shared_ptr<const PhaseShape>> phase_;
 };
 
 }  // namespace photic::optics

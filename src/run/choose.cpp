@@ -139,7 +139,7 @@ scene::Scene choose_free_walks(const scene::Scene& scene, const optics::Library&
                                const RunOptions& options) {
   const scene::Simulation& asked = scene.simulation;
   if (asked.free_telescope_meetings && asked.free_laser_meetings) return scene;
-  const auto model = without_light_of_air(estimator::make_model(scene, library));
+  const auto model = without_light_of_air(estimator::make_model(scene, library, options.stop()));
   const auto free = open_free_meetings(model, model.scene.simulation, options);
   std::vector<Contender> all;
   add_bidirectional(asked, "without free walks", free, all);
@@ -175,7 +175,7 @@ scene::Scene choose_estimator(const scene::Scene& scene, const optics::Library& 
     simulation.estimator_reason = "the bidirectional one cannot treat " + *reason;
     return chosen;
   }
-  estimator::Model model = estimator::make_model(scene, library);
+  estimator::Model model = estimator::make_model(scene, library, options.stop());
   if (model.air) {
     scene::Scene walks = scene;
     walks.simulation.estimator = scene::Estimator::bidirectional;

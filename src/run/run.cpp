@@ -143,7 +143,8 @@ SharedModel prepare(const scene::Scene& asked, const optics::Library& library,
                     const RunOptions& options) {
   try {
     const scene::Scene scene = choose_estimator(asked, library, options);
-    auto model = std::make_shared<const estimator::Model>(estimator::make_model(scene, library));
+    auto model = std::make_shared<const estimator::Model>(
+        estimator::make_model(scene, library, options.stop()));
     break_off_if(options.stop());
     return model;
   } catch (const Stopped&) {

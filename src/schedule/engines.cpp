@@ -50,9 +50,10 @@ std::optional<Isa> isa_of_engine(std::string_view engine) {
 }
 
 std::unique_ptr<Simulator> make_simulator(const estimator::Model& model,
-                                          const std::optional<Isa>& lanes) {
+                                          const std::optional<Isa>& lanes,
+                                          const std::stop_token& stop) {
   expect(!lanes || runs_here(*lanes), "lanes are made of instructions that the processor has");
-  return std::make_unique<Simulator>(estimator::make_plan(model), parts_of(lanes));
+  return std::make_unique<Simulator>(estimator::make_plan(model, stop), parts_of(lanes));
 }
 
 }  // namespace photic::schedule

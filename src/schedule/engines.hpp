@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,7 @@ std::optional<Isa> isa_of_engine(std::string_view engine);
 /// A model in lanes of an instruction set, which the processor must have, or by the scalar engine,
 /// whose bits are the same by any. The model must outlive the simulator.
 std::unique_ptr<Simulator> make_simulator(const estimator::Model& model,
-                                          const std::optional<Isa>& lanes);
+                                          const std::optional<Isa>& lanes,
+                                          const std::stop_token& stop = {});
 
 }  // namespace photic::schedule

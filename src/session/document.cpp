@@ -70,19 +70,21 @@ void put_in_sections(Node& document) {
 
 }  // namespace
 
-Document::Document(const Context& context, const SceneText& scene)
+Document::Document(const Context& context, const SceneText& scene,
+                   const std::vector<Change>& changes)
     : context_(context),
       name_(scene.name),
       folder_(scene.folder),
-      text_(scene.text),
-      reading_(checked(context_, scene::document_of(scene.text, scene.name), folder_, {}, given_)) {
-}
+      text_(changes.empty() ? std::optional(scene.text) : std::nullopt),
+      reading_(checked(context_, scene::document_of(scene.text, scene.name), folder_, changes,
+                       given_)) {}
 
-Document::Document(const Context& context, Node values, std::string folder)
+Document::Document(const Context& context, Node values, std::string folder,
+                   const std::vector<Change>& changes)
     : context_(context), name_(scene_of_values), folder_(std::move(folder)) {
   place_by_path("", values);
   values.place = {name_, 0, 0};
-  reading_ = checked(context_, std::move(values), folder_, {}, given_);
+  reading_ = checked(context_, std::move(values), folder_, changes, given_);
 }
 
 void Document::change(const std::vector<Change>& changes) {

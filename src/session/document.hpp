@@ -22,10 +22,13 @@ struct Change {
 /// cannot be read; then nothing has changed.
 class Document {
  public:
-  Document(const Context& context, const SceneText& scene);
+  /// `changes` are made before anything is checked.
+  Document(const Context& context, const SceneText& scene,
+           const std::vector<Change>& changes = {});
   /// A tree of values without places, which are named by their paths in messages. `folder`: of the
   /// files that it names.
-  Document(const Context& context, scene::Node values, std::string folder);
+  Document(const Context& context, scene::Node values, std::string folder,
+           const std::vector<Change>& changes = {});
 
   /// Makes all changes, or none.
   void change(const std::vector<Change>& changes);

@@ -48,6 +48,11 @@ KeptRun::~KeptRun() {
   run_->stop();  // the keeper waits for its end
 }
 
+void KeptRun::end() {
+  run_->stop();
+  keeper_ = {};  // joined: it waits for the run's end
+}
+
 void KeptRun::report(const std::string& line) const {
   if (!line.empty()) front_end_.report(line);
 }

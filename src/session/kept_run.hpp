@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "io/netcdf.hpp"
 #include "session/checkpoint.hpp"
 #include "session/destination.hpp"
 #include "session/front_end.hpp"
@@ -36,6 +37,9 @@ class KeptRun {
 
   [[nodiscard]] Run& run() { return *run_; }
 
+  /// Stops, and waits for the end; nothing is written after it but by write().
+  void end();
+
   /// The places of a result that was written.
   struct Kept {
     std::string path;
@@ -43,6 +47,10 @@ class KeptRun {
   };
   /// Writes the result of the run. Throws EnvironmentError; then the last checkpoint stays.
   Kept write(const tally::Result& result);
+  /// The lines of a result about its origin.
+  [[nodiscard]] io::WriteInfo origin() const {
+    return {.history = history_, .scene_file = origin_.scene_file};
+  }
   /// Reports a checkpoint that holds photons of this scene.
   void report_leftover() const;
 

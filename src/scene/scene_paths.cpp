@@ -1,10 +1,10 @@
-#include "photic/scene_paths.hpp"
+#include "scene/scene_paths.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include "scene/read.hpp"
 
-namespace photic::app {
+namespace photic::scene {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -34,8 +34,8 @@ void collect(const Json& table, const std::string& prefix, std::vector<ScenePath
 
 std::vector<ScenePath> scene_paths() {
   std::vector<ScenePath> paths;
-  collect(Json::parse(scene::scene_schema(PHOTIC_VERSION)), "", paths);
+  collect(Json::parse(scene_schema("")), "", paths);
   return paths;
 }
 
-}  // namespace photic::app
+}  // namespace photic::scene

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace photic::app {
+namespace photic::scene {
 
 struct SceneChoice {
   std::string word, meaning;
@@ -20,4 +20,4 @@ struct ScenePath {
 /// All values that a scene may have, by its schema.
 std::vector<ScenePath> scene_paths();
 
-}  // namespace photic::app
+}  // namespace photic::scene

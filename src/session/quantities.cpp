@@ -1,4 +1,4 @@
-#include "photic/quantities.hpp"
+#include "session/quantities.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace photic::app {
+namespace photic::session {
 namespace {
 
 constexpr double two_to_63 = 9223372036854775808.0;  // TOML's integers end below it
@@ -143,4 +143,4 @@ std::string wavelength_value(const std::string& text) {
   return fmt::format("{}", wavelength(text));
 }
 
-}  // namespace photic::app
+}  // namespace photic::session

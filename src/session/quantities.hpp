@@ -1,4 +1,4 @@
-// Numbers of the command line, checked and turned into the values of a scene file.
+// Numbers of the flags of a run, checked and turned into the values of a scene file.
 // Each throws std::invalid_argument with the reason and what to write instead.
 #pragma once
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace photic::app {
+namespace photic::session {
 
 /// "10000000" or "1e7" -> "10000000": a whole number of at least 1.
 std::string photons_value(const std::string& text);
@@ -32,4 +32,4 @@ std::vector<double> wavelengths_nm(const std::string& text);
 /// "532" or "532.0": a wavelength in nm, above 0.
 std::string wavelength_value(const std::string& text);
 
-}  // namespace photic::app
+}  // namespace photic::session

@@ -1,0 +1,204 @@
+// Runs of Python.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.hpp"
+#include "documents.hpp"
+#include "gil.hpp"
+#include "io/describe.hpp"
+#include "session/kept_run.hpp"
+#include "session/ready_run.hpp"
+#include "session/result_file.hpp"
+#include "session/run.hpp"
+
+namespace photic::python {
+
+/// The lines of a run for its user, from any of its threads, until one of Python's takes them.
+class Lines {
+ public:
+  void add(const std::string& line) {
+    const std::scoped_lock lock(mutex_);
+    if (!line.empty()) lines_.push_back(line);
+  }
+  [[nodiscard]] std::vector<std::string> take() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(lines_, {});
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::string> lines_;
+};
+
+/// A place for a result; none: it stays in memory.
+struct Output {
+  std::string path;
+  std::string scene_file;  ///< empty: none
+  bool force = false;
+  std::optional<double> checkpoint_s;
+};
+
+/// A run in memory, or one that keeps its result in a file.
+class RunAtWork {
+ public:
+  RunAtWork(const session::Context& context, const session::Document& document,
+            const session::RunRequest& request, const std::optional<Output>& output) {
+    const scene::Reading& reading = document.reading();
+    session::ReadyRun ready = session::make_ready(context, reading.scene, request);
+    if (output)
+      start_kept(context, std::move(ready), file_of(reading, *output, request.earlier));
+    else
+      start_in_memory(context, std::move(ready));
+  }
+
+  [[nodiscard]] session::Run& run() { return kept_ ? kept_->run() : *in_memory_; }
+
+  [[nodiscard]] std::unique_ptr<Arrays> arrays_of(const tally::Result& result) const {
+    auto arrays = std::make_unique<Arrays>();
+    io::describe(result, kept_ ? kept_->origin() : origin_, *arrays);
+    return arrays;
+  }
+
+  /// The arrays of the result, its file, and why that could not be written.
+  struct End {
+    std::unique_ptr<Arrays> arrays;
+    std::string path, failure;
+  };
+  [[nodiscard]] End finish() {
+    const tally::Result result = run().result();
+    End end{arrays_of(result), "", ""};
+    if (!kept_) return end;
+    try {
+      end.path = kept_->write(result).path;
+    } catch (const std::exception& failure) {
+      end.failure = failure.what();
+      kept_->report_leftover();
+    }
+    return end;
+  }
+
+  /// Stops, and waits for the end.
+  void end() {
+    if (kept_) return kept_->end();
+    in_memory_->stop();
+    while (!in_memory_->wait_for(std::chrono::hours(1))) continue;
+  }
+
+  Lines lines;
+
+ private:
+  /// Throws UsageError where the result would replace what it is made of.
+  static session::ResultFile file_of(const scene::Reading& reading, const Output& output,
+                                     const std::string& earlier) {
+    session::ResultFile file{
+        .path = session::result_path(output.path, output.scene_file, earlier),
+        .scene_file = output.scene_file,
+        .force = output.force,
+        .checkpoint_s = output.checkpoint_s};
+    session::spare(reading.files, file.path);
+    return file;
+  }
+
+  void start_kept(const session::Context& context, session::ReadyRun ready,
+                  const session::ResultFile& file) {
+    kept_.emplace(context, std::move(ready), file,
+                  session::FrontEnd{.report = [this](const std::string& line) { lines.add(line); },
+                                    .go_on = go_on});
+  }
+
+  void start_in_memory(const session::Context& context, session::ReadyRun ready) {
+    lines.add(ready.remark);
+    origin_.history = std::move(ready.history);
+    in_memory_.emplace(context, std::move(ready.scene), std::move(ready.options));
+  }
+
+  /// The call that goes on from a result.
+  static std::string go_on(const std::string& earlier, const std::string& output) {
+    return "scene.run(continue_from=" + scene::quoted(earlier) + ", output=" +
+           scene::quoted(output) + ")";
+  }
+
+  io::WriteInfo origin_;
+  std::optional<session::Run> in_memory_;
+  std::optional<session::KeptRun> kept_;
+};
+
+/// What Python holds. Whatever becomes of it, the run stops and is waited for.
+class Run {
+ public:
+  Run(const session::Context& context, const Document& document,
+      const session::RunRequest& request, const std::optional<Output>& output)
+      : work_(without_gil([&] {
+          return std::make_unique<RunAtWork>(context, document.now(), request, output);
+        })) {}
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+  ~Run() {
+    if (::getpid() != process_)
+      static_cast<void>(work_.release());  // a fork has none of its threads
+    else
+      without_gil([this] { work_.reset(); });
+  }
+
+  void stop() noexcept { work_->run().stop(); }
+  [[nodiscard]] run::Progress progress() const { return work_->run().progress(); }
+
+  /// Returns whether the run has ended within so many milliseconds; raises what a signal raises.
+  bool wait(int milliseconds) {
+    const bool ended = without_gil(
+        [&] { return work_->run().wait_for(std::chrono::milliseconds(milliseconds)); });
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    return ended;
+  }
+
+  void end() {
+    without_gil([&] { work_->end(); });
+  }
+
+  /// None before the first batch end, and once the run has ended.
+  [[nodiscard]] py::object so_far() {
+    auto arrays = without_gil([&]() -> std::unique_ptr<Arrays> {
+      const auto result = work_->run().so_far();
+      return result ? work_->arrays_of(*result) : nullptr;
+    });
+    return arrays ? py::object(arrays->hand_over()) : py::none();
+  }
+
+  /// (arrays, file, why it could not be written), once; None if the run was stopped before there
+  /// was anything.
+  [[nodiscard]] py::object finish() {
+    auto end = without_gil([&]() -> std::optional<RunAtWork::End> {
+      try {
+        return work_->finish();
+      } catch (const run::StoppedBeforeFirstBatch&) {
+        return std::nullopt;
+      }
+    });
+    if (!end) return py::none();
+    return py::make_tuple(end->arrays->hand_over(), text_of(end->path), text_of(end->failure));
+  }
+
+  /// The lines for the user since the last call.
+  [[nodiscard]] py::list lines() {
+    py::list out;
+    for (const std::string& line : work_->lines.take()) out.append(text_of(line));
+    return out;
+  }
+
+ private:
+  pid_t process_ = ::getpid();
+  std::unique_ptr<RunAtWork> work_;
+};
+
+}  // namespace photic::python
