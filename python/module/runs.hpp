@@ -5,6 +5,7 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <mutex>
@@ -70,30 +71,34 @@ class RunAtWork {
     return arrays;
   }
 
-  /// The arrays of the result, its file, and why that could not be written.
+  /// The arrays of the result of a run that has ended, its file, and why that could not be written.
   struct End {
     std::unique_ptr<Arrays> arrays;
     std::string path, failure;
   };
   [[nodiscard]] End finish() {
+    end();
     const tally::Result result = run().result();
-    End end{arrays_of(result), "", ""};
-    if (!kept_) return end;
+    End out{arrays_of(result), "", ""};
+    if (!kept_) return out;
     try {
-      end.path = kept_->write(result).path;
+      out.path = kept_->write(result).path;
     } catch (const std::exception& failure) {
-      end.failure = failure.what();
+      out.failure = failure.what();
       kept_->report_leftover();
     }
-    return end;
+    return out;
   }
 
   /// Stops, and waits for the end.
   void end() {
-    if (kept_) return kept_->end();
-    in_memory_->stop();
-    while (!in_memory_->wait_for(std::chrono::hours(1))) continue;
+    if (kept_) kept_->end();
+    run().stop();
+    while (!run().wait_for(std::chrono::hours(1))) continue;
+    has_ended_ = true;
   }
+  /// True if nothing has to be waited for.
+  [[nodiscard]] bool has_ended() const { return has_ended_; }
 
   Lines lines;
 
@@ -129,6 +134,7 @@ class RunAtWork {
            scene::quoted(output) + ")";
   }
 
+  std::atomic<bool> has_ended_ = false;
   io::WriteInfo origin_;
   std::optional<session::Run> in_memory_;
   std::optional<session::KeptRun> kept_;
@@ -147,7 +153,7 @@ class Run {
   ~Run() {
     if (::getpid() != process_)
       static_cast<void>(work_.release());  // a fork has none of its threads
-    else
+    else if (!work_->has_ended())  // or a daemon thread would unwind in here (without_gil)
       without_gil([this] { work_.reset(); });
   }
 

@@ -112,6 +112,9 @@ def _named(dataset):
         for one in dataset.environment_value.transpose("environment_path", ...):
             path = str(one.environment_path.values)
             dataset = dataset.assign_coords({path: ("environment", one.values, {"long_name": path})})
+    for each in dataset.variables.values():
+        # They name what has another name now; xarray writes its own.
+        each.encoding.pop("coordinates", None)
     return dataset.set_coords([name for name in dataset.data_vars if name.endswith("_bounds")])
 
 

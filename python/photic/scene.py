@@ -10,7 +10,7 @@ import xarray
 
 from photic.core import SCENES, context, core
 from photic.errors import Error, Problem, SceneError
-from photic.simulation import File, Number, Run, Watcher, changes_of, refuse_unknown, start, warn, watcher_of
+from photic.simulation import File, Number, Run, Watcher, changes_of, file_name, refuse_unknown, start, warn, watcher_of
 
 FLAGS = [
     "photons", "target", "max_time", "seed", "threads", "engine", "isa", "output", "continue_from", "force", "checkpoint"
@@ -52,8 +52,8 @@ class Scene:
     @classmethod
     def _loaded(cls, path: File, changes: Mapping[str, Any]) -> Scene:
         """The same with changes that are made before it is checked."""
-        document = core().Document.load(context(), os.fsencode(path), _checked(changes))
-        return cls._of(document, os.fspath(path))
+        name = file_name("scene", path)
+        return cls._of(core().Document.load(context(), name, _checked(changes)), os.fsdecode(name))
 
     @classmethod
     def _of(cls, document: Any, file: str | None) -> Scene:
@@ -84,10 +84,9 @@ class Scene:
 
     def __contains__(self, path: object) -> bool:
         try:
-            self._document.find(_path(path))
+            return isinstance(path, str) and self[path] is not None
         except KeyError:
             return False
-        return True
 
     def __setitem__(self, path: str, value: Any) -> None:
         self.update({path: value})
@@ -107,13 +106,13 @@ class Scene:
         """Writes the scene as TOML, in the place of what is there. Raises photic.SceneError if it would be
         none there, since files that it names are elsewhere; photic.Error if it cannot be written."""
         text = self.toml()
-        name, folder = os.fsencode(path), os.fsencode(os.path.dirname(os.fspath(path)))
-        core().Document.of_text(context(), text, name, folder, {})
+        name = file_name("path", path)
+        core().Document.of_text(context(), text, name, os.path.dirname(name), {})
         try:
             with open(path, "w", encoding="utf-8") as file:
                 file.write(text)
         except OSError as error:
-            raise Error(f"{os.fspath(path)}: cannot be written: {error.strerror}", exit_code=1) from error
+            raise Error(f"{os.fsdecode(name)}: cannot be written: {error.strerror}", exit_code=1) from error
 
     def copy(self) -> Scene:
         """Another scene of the same values."""

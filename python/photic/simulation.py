@@ -58,6 +58,14 @@ def _quantity(name: str, value: Any) -> str:
         raise Error(f"{name}: {error}") from None
 
 
+def file_name(what: str, path: Any) -> bytes:
+    """The name of a file as the system has it. Raises photic.Error for what is none."""
+    try:
+        return os.fsencode(path)
+    except TypeError:
+        raise Error(f"{what}: {path!r} is no name of a file") from None
+
+
 def refuse_unknown(unknown: dict[str, Any], known: list[str]) -> None:
     """Raises photic.Error for a keyword that there is none of."""
     for name in unknown:
@@ -94,7 +102,7 @@ def start(
             threads=int(threads or 0),
             engine=engine or "",
             isa=isa or "",
-            earlier=b"" if continue_from is None else os.fsencode(continue_from),
+            earlier=b"" if continue_from is None else file_name("continue_from", continue_from),
             command=command,
             output=_output(output, scene_file, force, checkpoint),
         )
@@ -110,9 +118,11 @@ def _output(output: File | None, scene_file: str | None, force: bool, checkpoint
             raise Error(f"{flag}: the run has no output (write output='my.nc')")
         return None
     every = None if checkpoint is None else float(_quantity("checkpoint", checkpoint))
-    if os.path.isdir(output) and scene_file is None:
-        raise Error(f"{os.fspath(output)}: a folder, and the scene has no file that the result could be named after")
-    return core().Output(os.fsencode(output), os.fsencode(scene_file or ""), bool(force), every)
+    path = file_name("output", output)
+    if (os.path.isdir(path) or path.endswith(b"/")) and scene_file is None:
+        name = os.fsdecode(path)
+        raise Error(f"{name}: a folder, and the scene has no file that the result could be named after")
+    return core().Output(path, os.fsencode(scene_file or ""), bool(force), every)
 
 
 def warn(line: str) -> None:
@@ -195,6 +205,7 @@ class Run:
         self._result: xarray.Dataset | None = None
         self._path = ""
         self._failure: BaseException | None = None
+        self._watched = False  # a thread waits for its end
         self._lock = threading.Lock()
         _at_work.add(self)
         self._warn(work, _Silent())
@@ -236,6 +247,7 @@ class Run:
 
     def watched(self, watcher: _Silent) -> xarray.Dataset:
         """The result, with the progress shown meanwhile."""
+        self._watched = True
         try:
             try:
                 self._wait(watcher)
@@ -330,3 +342,5 @@ def _end_all() -> None:
         run.stop()
     for run in runs:
         run.end()
+        if not run._watched:
+            run._work = None  # so that no lock of an output is left

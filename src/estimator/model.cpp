@@ -10,6 +10,7 @@
 
 #include "core/constants.hpp"
 #include "core/error.hpp"
+#include "core/stop.hpp"
 #include "estimator/focus.hpp"
 #include "estimator/nested_views.hpp"
 #include "estimator/random_blocks.hpp"
@@ -248,6 +249,14 @@ std::vector<double> radiance_depths(const Model& model) {
   return out;
 }
 
+/// Fills in what depends on the simulation of a scene; the medium does not.
+void settle(const scene::Scene& scene, Model& model, const std::stop_token& stop) {
+  model.shape = make_shape(scene, model.medium, model.air, model.gates);
+  name_settings(scene, model.medium, model.scene);
+  model.paths = free_paths(model.medium, scene.simulation);
+  model.averaged = averaged_phases(scene, model.medium, stop);
+}
+
 }  // namespace
 
 Model make_model(const scene::Scene& scene, const optics::Library& library,
@@ -279,16 +288,12 @@ Model make_model(const scene::Scene& scene, const optics::Library& library,
     medium::count_against_vacuum(*air, medium);
   }
   tally::Gates gates(effective, medium.line, apparent_path);
-  auto shape = make_shape(scene, medium, air, gates);
-  name_settings(scene, medium, effective);
-  auto paths = free_paths(medium, scene.simulation);
-  auto averaged = averaged_phases(scene, medium, stop);
   Model model{std::move(effective),
               std::move(medium),
-              std::move(paths),
+              {},
               std::move(gates),
-              std::move(shape),
-              std::move(averaged),
+              {},
+              {},
               std::move(air),
               std::move(columns),
               std::move(others),
@@ -298,6 +303,7 @@ Model make_model(const scene::Scene& scene, const optics::Library& library,
   const auto origin = origin_of(model.scene.source, model.medium.kind);
   model.medium.set_origin(origin.x, origin.y);
   model.level_depth = radiance_depths(model);
+  settle(scene, model, stop);
   return model;
 }
 
@@ -308,8 +314,17 @@ scene::Scene reported_scene(const Model& model) {
   return scene;
 }
 
+Model with_simulation(Model model, const scene::Simulation& simulation,
+                      const std::stop_token& stop) {
+  scene::Scene scene = reported_scene(model);
+  scene.simulation = model.scene.simulation = simulation;
+  settle(scene, model, stop);
+  return model;
+}
+
 Model simulated_by(const Model& model, const scene::Simulation& simulation,
                    const std::stop_token& stop) {
+  break_off_if(stop);
   Model out = model;
   out.scene.simulation = simulation;
   out.paths = free_paths(out.medium, simulation);

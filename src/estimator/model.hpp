@@ -98,7 +98,13 @@ scene::Check optics_check(std::shared_ptr<const optics::Library> library);
 Model make_model(const scene::Scene& scene, const optics::Library& library,
                  const std::stop_token& stop = {});
 
-/// The same scene, simulated otherwise.
+/// As make_model makes it of the scene with another simulation, to the last bit, for a small part
+/// of the time.
+Model with_simulation(Model model, const scene::Simulation& simulation,
+                      const std::stop_token& stop = {});
+
+/// The same scene, simulated otherwise: by part of a simulation, such as a pilot, which scores into
+/// tallies of the model's shape.
 Model simulated_by(const Model& model, const scene::Simulation& simulation,
                    const std::stop_token& stop = {});
 /// The air of a model above the sea, upside down (medium/upside_down.hpp): what follows light in

@@ -166,8 +166,8 @@ AirPhases phases_of_all(const optics::AirOptics& air) {
 
 }  // namespace
 
-optics::PhaseTable Air::phase(std::size_t place, std::size_t layer) const {
-  return optics::PhaseTable(optics::phase_of(phases[place].scatterers[layer]));
+std::shared_ptr<const optics::PhaseTable> Air::phase(std::size_t place, std::size_t layer) const {
+  return (*tables)(optics::phase_of(phases[place].scatterers[layer]));
 }
 
 double Air::optical_depth(std::size_t line) const {
@@ -195,6 +195,7 @@ AirBuilder::AirBuilder(const scene::Scene& scene, const optics::Library& library
 Air AirBuilder::operator()(const scene::Scene& scene) const {
   const bool outright = !scene.atmosphere->layer.empty();
   Air air;
+  air.tables = library_.phases;
   for (const SharedPhases& of : shared_phases(*scene.atmosphere, lines_)) {
     const auto there = at(scene, of.wavelength_nm, optics::Phases::wanted);
     for (std::size_t l = of.first; l < of.end; ++l) {
@@ -259,7 +260,7 @@ optics::AirOptics AirBuilder::of_layers(const scene::Scene& scene, double wavele
     layer.aerosols_b_per_m = here.b_per_m;
     layer.phase = of.phase_function ? optics_of.shape(*of.phase_function, wavelength_nm)
                                     : optics::rayleigh(air.depolarisation);
-    layer.scatterers = {{"", here.b_per_m, layer.phase}};
+    layer.scatterers = {{here.b_per_m, layer.phase}};
     air.layers.push_back(std::move(layer));
   }
   return air;

@@ -1,6 +1,7 @@
 // The air above the sea: its optics in layers, at the wavelengths that light of a scene can have.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -10,7 +11,7 @@
 #include "medium/sources.hpp"
 #include "optics/air.hpp"
 #include "optics/library.hpp"
-#include "optics/phase_table.hpp"
+#include "optics/phase_table_cache.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::medium {
@@ -39,13 +40,15 @@ struct Air {
   std::vector<double> refractive_index, group_index;  ///< [line][layer]
   std::vector<AirPhases> phases;                      ///< the laser's first
   std::vector<std::size_t> phases_of;                 ///< place in `phases`, [line]
+  std::shared_ptr<const optics::PhaseTableCache> tables;
   std::vector<Source> sources;
   Absorbers absorbers;              ///< of the source's light
   std::optional<AirDepths> depths;  ///< none in layers given outright
 
   [[nodiscard]] std::size_t layers() const { return height_m.size() - 1; }
   /// The phase function of all scattering in a layer, by place in `phases`.
-  [[nodiscard]] optics::PhaseTable phase(std::size_t place, std::size_t layer) const;
+  [[nodiscard]] std::shared_ptr<const optics::PhaseTable> phase(std::size_t place,
+                                                                std::size_t layer) const;
   /// The optical depth for a line's light, from the sea straight up to the top.
   [[nodiscard]] double optical_depth(std::size_t line) const;
 };

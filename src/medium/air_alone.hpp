@@ -4,6 +4,7 @@
 #include <stop_token>
 
 #include "medium/medium.hpp"
+#include "optics/library.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::medium {

@@ -31,8 +31,9 @@ double phase_value(const optics::PhaseShape& phase, double angle_deg) {
 class Filler {
  public:
   /// The parts of layers that are given outright are not known.
-  Filler(OpticalTable& table, bool given_outright, bool gases)
-      : table_(table), layers_(table.layers()), given_outright_(given_outright) {
+  Filler(const optics::PhaseTableCache& tables, OpticalTable& table, bool given_outright,
+         bool gases)
+      : tables_(tables), table_(table), layers_(table.layers()), given_outright_(given_outright) {
     const std::size_t count = layers_ * table.wavelengths();
     for (auto* values : {&table.a_per_m, &table.b_per_m, &table.backscatter_fraction,
                          &table.mean_cosine, &table.refractive_index})
@@ -71,14 +72,15 @@ class Filler {
       table_.parts[2].b_per_m[at] = layer.aerosols_b_per_m;
       if (table_.parts.size() > 3) table_.parts[3].a_per_m[at] = layer.gases_a_per_m;
     }
-    const optics::PhaseTable phase(layer.phase);
-    table_.backscatter_fraction[at] = phase.backscatter_fraction();
-    table_.mean_cosine[at] = phase.mean_cosine();
+    const auto phase = tables_(layer.phase);
+    table_.backscatter_fraction[at] = phase->backscatter_fraction();
+    table_.mean_cosine[at] = phase->mean_cosine();
     for (std::size_t i = 0; i < table_.angles(); ++i)
       table_.phase_function_per_sr[at * table_.angles() + i] =
           phase_value(layer.phase, table_.angle_deg[i]);
   }
 
+  const optics::PhaseTableCache& tables_;
   OpticalTable& table_;
   std::size_t layers_;
   bool given_outright_;
@@ -107,7 +109,7 @@ OpticalTable air_table(const optics::Library& library, const optics::AirProfile&
   std::vector<double> edge_m;
   for (const double km : profile.edges_km) edge_m.push_back(km * m_per_km);
   OpticalTable table = empty_table(edge_m, wavelength_nm);
-  Filler filler(table, false, false);
+  Filler filler(*library.phases, table, false, false);
   for (std::size_t w = 0; w < wavelength_nm.size(); ++w)
     filler.add(optics::air_at(library.air(), profile, aerosols, wavelength_nm[w]), w);
   return table;
@@ -119,7 +121,8 @@ OpticalTable air_table(const scene::Scene& scene, const optics::Library& library
   laser.front().wavelength_nm = scene.source.wavelength_nm;
   const AirBuilder build(scene, library, laser);
   OpticalTable table = empty_table(build(scene).height_m, wavelength_nm);
-  Filler filler(table, !scene.atmosphere->layer.empty(), !scene.atmosphere->gases.empty());
+  Filler filler(*library.phases, table, !scene.atmosphere->layer.empty(),
+                !scene.atmosphere->gases.empty());
   for (std::size_t w = 0; w < wavelength_nm.size(); ++w)
     filler.add(build.at(scene, wavelength_nm[w], optics::Phases::wanted), w);
   return table;

@@ -11,6 +11,7 @@
 #include "medium/environments.hpp"
 #include "medium/film.hpp"
 #include "medium/layer_optics.hpp"
+#include "medium/phase_numbers.hpp"
 #include "medium/surface.hpp"
 #include "optics/phase_functions.hpp"
 #include "scene/bed_albedo.hpp"
@@ -23,17 +24,18 @@ namespace {
 constexpr double beam_lobe_g = 0.9;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::int32_t conversion_phase(Medium& medium, Process process, const optics::Library& library) {
+std::int32_t conversion_phase(Process process, const optics::Library& library,
+                              const PhaseNumbers& number_of) {
   if (process == Process::elastic) return 0;  // never used
   const bool is_raman = process == Process::raman;
-  const auto shape = is_raman ? optics::raman_phase(library.raman.at("depolarisation").value)
-                              : optics::isotropic();
-  return medium.add_phase(optics::PhaseTable(shape));
+  return number_of(is_raman ? optics::raman_phase(library.raman.at("depolarisation").value)
+                            : optics::isotropic());
 }
 
 /// The table of line l, layer by layer; line 0 is the laser's and emits into the others.
 void add_line_tables(const scene::Scene& scene, const LayerOptics& optics_of,
-                     const std::vector<EmittedLine>& emitted, std::size_t l, Medium& medium) {
+                     const std::vector<EmittedLine>& emitted, std::size_t l,
+                     const PhaseNumbers& number_of, Medium& medium) {
   const auto layers = scene::layers_of(scene.sea);
   for (std::size_t k = 0; k < layers.size(); ++k) {
     const scene::Layer& layer = layers[k].layer;
@@ -44,8 +46,8 @@ void add_line_tables(const scene::Scene& scene, const LayerOptics& optics_of,
     medium.conversion.push_back(l == 0 ? 0.0 : emitted[l - 1].coefficient_per_m[k] / medium.c[k]);
     const double given_back = l == 0 ? emitted_per_m(emitted, scene, k, water.a_per_m) : 0.0;
     medium.absorption.push_back((water.a_per_m - given_back) / c);
-    medium.elastic_phase.push_back(medium.add_phase(
-        optics::PhaseTable(optics_of.phase(layer, medium.line[l].wavelength_nm, water))));
+    medium.elastic_phase.push_back(
+        number_of(optics_of.phase(layer, medium.line[l].wavelength_nm, water)));
     for (const Contribution& each : water.contributions)
       add_source(each, medium.line[l].wavelength_nm, medium.sources);
   }
@@ -71,9 +73,10 @@ Row row_of(const scene::Sea& sea) {
 }  // namespace
 
 Medium build_medium(const scene::Scene& scene, const optics::Library& library,
-                    const std::stop_token& stop) {
+                    const std::stop_token& stop, optics::Phases phases) {
   const LayerOptics optics_of(scene, library, stop);
   Medium medium;
+  const PhaseNumbers number_of(*library.phases, phases, medium);
   medium.row = row_of(scene.sea);
   const double laser_nm = scene.source.wavelength_nm;
   std::vector<WaterOptics> at_laser;
@@ -110,17 +113,21 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library,
         add_source("albedo of the sea bed", scene::reported_albedo(*bed), line.wavelength_nm,
                    medium.sources);
   for (std::size_t l = 0; l < medium.line.size(); ++l) {
-    add_line_tables(scene, optics_of, light.lines, l, medium);
-    medium.conversion_phase.push_back(conversion_phase(medium, medium.line[l].process, library));
+    add_line_tables(scene, optics_of, light.lines, l, number_of, medium);
+    medium.conversion_phase.push_back(conversion_phase(medium.line[l].process, library, number_of));
   }
-  if (medium.line.size() > 1)
-    medium.beam_lobe = medium.add_phase(optics::PhaseTable(optics::henyey_greenstein(beam_lobe_g)));
-  add_bed(scene, medium);
-  add_surface(scene, library, medium);
-  if (oil) add_film(scene, *oil, medium);
-  add_environments(scene, library, medium, stop);
+  if (medium.line.size() > 1) medium.beam_lobe = number_of(optics::henyey_greenstein(beam_lobe_g));
+  const bool is_wanted = phases == optics::Phases::wanted;
+  if (is_wanted) {
+    add_bed(scene, medium);
+    add_surface(scene, library, medium);
+    if (oil) add_film(scene, *oil, medium);
+  }
+  add_environments(scene, library, number_of, medium, stop);
   add_surfaces_of_environments(scene, medium);
   add_films_of_environments(scene, library, medium, stop);
+  if (!is_wanted) return medium;
+  fill_film_tables(medium, stop);
   medium.finish();
   return medium;
 }

@@ -16,34 +16,6 @@
 namespace photic::medium {
 namespace {
 
-/// Tables of phase functions, each made once: many environments have the same.
-class PhaseTables {
- public:
-  explicit PhaseTables(Medium& medium) : medium_(medium) {}
-
-  /// The number of a part of a layer's scattering at a wavelength.
-  std::int32_t number(const scene::Scene& scene, const scene::Layer& layer,
-                      const WaterOptics& water, double wavelength_nm, const ScatteringPart& part) {
-    Key key{layer.phase_function, water.backscatter_fraction, scene.optics, wavelength_nm, part.of};
-    const auto known = std::ranges::find(known_, key, &std::pair<Key, std::int32_t>::first);
-    if (known != known_.end()) return known->second;
-    known_.emplace_back(std::move(key), medium_.add_phase(optics::PhaseTable(part.phase)));
-    return known_.back().second;
-  }
-
- private:
-  struct Key {
-    std::optional<scene::PhaseFunction> function;
-    std::optional<double> backscatter_fraction;
-    scene::Optics optics;
-    double wavelength_nm;
-    Scatterer of;
-    friend bool operator==(const Key&, const Key&) = default;
-  };
-  Medium& medium_;
-  std::vector<std::pair<Key, std::int32_t>> known_;
-};
-
 bool is(const EmittedLine& emitted, const Line& line) {
   return emitted.process == line.process && emitted.wavelength_nm == line.wavelength_nm;
 }
@@ -77,8 +49,8 @@ double emitted_into(const Line& line, std::size_t layer, const std::vector<Emitt
 }
 
 LayerCoefficients waters_of(const std::string& who, const scene::Scene& scene,
-                            const optics::Library& library, const Medium& medium,
-                            PhaseTables& tables, const std::stop_token& stop) {
+                            const optics::Library& library, const PhaseNumbers& number_of,
+                            const Medium& medium, const std::stop_token& stop) {
   const LayerOptics optics_of(scene, library, stop);
   const auto layers = scene::layers_of(scene.sea);
   std::vector<WaterOptics> at_laser;
@@ -95,8 +67,7 @@ LayerCoefficients waters_of(const std::string& who, const scene::Scene& scene,
       Coefficients w{
           water.a_per_m + water.b_per_m, water.b_per_m, emitted_into(line, k, emitted), {}};
       for (const auto& part : optics_of.scattering(layer, line.wavelength_nm, water))
-        w.part.push_back(
-            {part.b_per_m, tables.number(scene, layer, water, line.wavelength_nm, part)});
+        w.part.push_back({part.b_per_m, number_of(part.phase)});
       out.push_back(std::move(w));
     }
   }
@@ -104,19 +75,19 @@ LayerCoefficients waters_of(const std::string& who, const scene::Scene& scene,
 }
 
 std::vector<Variation> variations_of(const scene::Scene& scene, const LayerCoefficients& reference,
-                                     const optics::Library& library, const Medium& medium,
-                                     PhaseTables& tables, const std::stop_token& stop) {
+                                     const optics::Library& library, const PhaseNumbers& number_of,
+                                     const Medium& medium, const std::stop_token& stop) {
   std::vector<Variation> out;
   for (const auto& environment : scene.environment) {
     const std::string name = fmt::format("environment \"{}\"", environment.name);
     out.push_back(
         {name, reference,
-         waters_of(name, scene::scene_in(scene, environment), library, medium, tables, stop)});
+         waters_of(name, scene::scene_in(scene, environment), library, number_of, medium, stop)});
   }
   for (const auto& s : scene.sensitivity) {
     const std::string name = fmt::format("sensitivity \"{}\"", s.path);
     const auto waters = [&](const scene::Environment& side) {
-      return waters_of(name, scene::scene_in(scene, side), library, medium, tables, stop);
+      return waters_of(name, scene::scene_in(scene, side), library, number_of, medium, stop);
     };
     out.push_back({name, waters(s.below), waters(s.above), s.value / (2 * s.step)});
   }
@@ -125,12 +96,12 @@ std::vector<Variation> variations_of(const scene::Scene& scene, const LayerCoeff
 
 }  // namespace
 
-void add_environments(const scene::Scene& scene, const optics::Library& library, Medium& medium,
+void add_environments(const scene::Scene& scene, const optics::Library& library,
+                      const PhaseNumbers& number_of, Medium& medium,
                       const std::stop_token& stop) {
   if (!scene.has_environments()) return;
-  PhaseTables tables(medium);
-  const LayerCoefficients reference = waters_of("", scene, library, medium, tables, stop);
-  const auto variations = variations_of(scene, reference, library, medium, tables, stop);
+  const LayerCoefficients reference = waters_of("", scene, library, number_of, medium, stop);
+  const auto variations = variations_of(scene, reference, library, number_of, medium, stop);
   const auto layers = scene::layers_of(scene.sea);
   for (const Variation& v : variations) {
     for (std::size_t i = 0; i < reference.size(); ++i) {
@@ -156,7 +127,7 @@ void check_environments(const scene::Scene& scene, const optics::Library& librar
       !known(scene.sensitivity, [](const auto& s) -> auto& { return s.above.sea; }))
     return;
   try {
-    const Medium medium = build_medium(scene, library);
+    const Medium medium = build_medium(scene, library, {}, optics::Phases::left_out);
     if (scene.atmosphere && !scene.atmosphere->layer.empty())
       other_airs(scene, library, medium.line);
   } catch (const InputError& error) {

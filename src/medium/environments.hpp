@@ -5,6 +5,7 @@
 #include <stop_token>
 
 #include "medium/medium.hpp"
+#include "medium/phase_numbers.hpp"
 #include "optics/library.hpp"
 #include "scene/findings.hpp"
 #include "scene/scene.hpp"
@@ -14,7 +15,8 @@ namespace photic::medium {
 /// Adds the tables of the scene's environments to a medium that is made but for them and not yet
 /// finished. Throws InputError where light goes ways in an environment that it never goes in the
 /// scene.
-void add_environments(const scene::Scene& scene, const optics::Library& library, Medium& medium,
+void add_environments(const scene::Scene& scene, const optics::Library& library,
+                      const PhaseNumbers& number_of, Medium& medium,
                       const std::stop_token& stop);
 
 /// Adds what add_environments refuses to the findings, if the environments' water is known.

@@ -159,7 +159,6 @@ void add_films_of_environments(const scene::Scene& scene, const optics::Library&
     check_other_film(fmt::format("sensitivity \"{}\"", s.path), above.exists, here, above);
     add(of(s.below), std::move(above), s.value / (2 * s.step));
   }
-  fill_film_tables(medium, stop);
 }
 
 void fill_film_tables(Medium& medium, const std::stop_token& stop) {

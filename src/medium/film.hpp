@@ -34,8 +34,8 @@ struct FilmBothWays {
 FilmBothWays film_both_ways(const scene::Scene& scene, const Medium& medium, std::size_t telescope,
                             std::size_t channel);
 
-/// Fills in the films of a scene's environments and derivatives, if some differ from the medium's
-/// own, which has to be filled in before. Throws InputError where the scene's histories do not
+/// Fills in the medium's film_changes by the films of a scene's environments and derivatives, if
+/// some differ from its own. Throws InputError where the scene's histories do not
 /// cover them.
 void add_films_of_environments(const scene::Scene& scene, const optics::Library& library,
                                Medium& medium, const std::stop_token& stop);

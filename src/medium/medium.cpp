@@ -6,6 +6,7 @@
 #include <numeric>
 #include <ranges>
 #include <span>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -42,24 +43,24 @@ constexpr std::size_t phase_lines = std::size_t{PhaseView::lines} * PhaseView::l
 
 }  // namespace
 
-std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
-  const PhaseView v = table.view();
+std::int32_t Medium::add_phase(std::shared_ptr<const optics::PhaseTable> table) {
+  const PhaseView v = table->view();
   const std::span lines{v.line.exact, phase_lines};
-  const auto there = phase_lines_.numbers();
-  const std::size_t count = there.size() / phase_lines;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (std::ranges::equal(lines, there.subspan(i * phase_lines, phase_lines)))
-      return static_cast<std::int32_t>(i);
-  }
+  const auto is_table = [&](const std::shared_ptr<const optics::PhaseTable>& there) {
+    return there == table ||
+           std::ranges::equal(lines, std::span{there->view().line.exact, phase_lines});
+  };
+  const auto known = std::ranges::find_if(phases_, is_table);
+  const auto number = static_cast<std::int32_t>(known - phases_.begin());
+  if (known != phases_.end()) return number;
+  phases_.push_back(std::move(table));
   phase_lines_.append(lines);
   phase_quantiles_.append(std::span{v.quantile.exact, phase_quantiles});
   phase_cores_.append(std::span{v.core_per_u.exact, 1});
-  return static_cast<std::int32_t>(count);
+  return number;
 }
 
-std::int32_t Medium::phase_count() const {
-  return static_cast<std::int32_t>(phase_lines_.numbers().size() / phase_lines);
-}
+std::int32_t Medium::phase_count() const { return static_cast<std::int32_t>(phases_.size()); }
 
 std::size_t Medium::end_of(std::size_t column) const {
   return static_cast<std::size_t>(column + 1 < columns() ? row.first_layer[column + 1] : layers());

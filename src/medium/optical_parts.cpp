@@ -70,7 +70,7 @@ BackscatteringByName Backscattering::operator()(const scene::Layer& layer, doubl
 double Backscattering::fraction(const ScatteringPart& part, double nm) {
   const auto known = fraction_.find({part.of, nm});
   if (known != fraction_.end()) return known->second;
-  return fraction_[{part.of, nm}] = optics::PhaseTable(part.phase).backscatter_fraction();
+  return fraction_[{part.of, nm}] = phases_(part.phase)->backscatter_fraction();
 }
 
 std::vector<OpticalTable::Part> parts_of(const WatersOptics& waters,

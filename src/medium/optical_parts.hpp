@@ -20,7 +20,8 @@ using BackscatteringByName = std::map<std::string, double>;
 /// The backscattering of any layers; the constituents' phase functions are those of all of them.
 class Backscattering {
  public:
-  explicit Backscattering(const LayerOptics& optics_of) : optics_of_(optics_of) {}
+  Backscattering(const LayerOptics& optics_of, const optics::PhaseTableCache& phases)
+      : optics_of_(optics_of), phases_(phases) {}
 
   BackscatteringByName operator()(const scene::Layer& layer, double nm, const WaterOptics& water);
 
@@ -28,6 +29,7 @@ class Backscattering {
   double fraction(const ScatteringPart& part, double nm);
 
   const LayerOptics& optics_of_;
+  const optics::PhaseTableCache& phases_;
   std::map<std::pair<Scatterer, double>, double> fraction_;
 };
 

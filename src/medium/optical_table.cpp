@@ -128,7 +128,7 @@ OpticalTable optical_table(const scene::Scene& scene, const optics::Library& lib
   table.angle_deg = table_angles_deg();
   table.in_columns = !scene.sea.column.empty();
   WatersOptics waters;
-  Backscattering backscattering_in(optics_of);
+  Backscattering backscattering_in(optics_of, *library.phases);
   std::vector<BackscatteringByName> backscattering;
   for (const scene::PlacedLayer& at : scene::layers_of(scene.sea)) {
     const scene::Layer& layer = at.layer;
@@ -141,7 +141,7 @@ OpticalTable optical_table(const scene::Scene& scene, const optics::Library& lib
       table.a_per_m.push_back(waters.back().a_per_m);
       table.b_per_m.push_back(waters.back().b_per_m);
       table.a_exciting_per_m.push_back(waters.back().a_exciting_per_m);
-      add_phase(optics::PhaseTable(optics_of.phase(layer, nm, waters.back())), table);
+      add_phase(*(*library.phases)(optics_of.phase(layer, nm, waters.back())), table);
       for (const Contribution& each : waters.back().contributions)
         add_source(each, nm, table.sources);
     }

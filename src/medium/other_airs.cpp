@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "core/error.hpp"
 #include "core/stop.hpp"
@@ -27,44 +26,28 @@ void check_scattering(const scene::Scene& scene, const Air& here, const OtherAir
 }
 
 /// The coefficients of the air as a medium, whose phase functions go into it.
-class AirCoefficients {
- public:
-  AirCoefficients(Medium& medium, const std::stop_token& stop) : medium_(medium), stop_(stop) {}
-
-  LayerCoefficients operator()(const Air& air) {
-    LayerCoefficients out;
-    const std::size_t layers = air.layers();
-    const bool vacuum = static_cast<std::size_t>(medium_.layers()) > layers;
-    for (std::size_t l = 0; l < medium_.line.size(); ++l) {
-      const AirPhases& phases = air.phases[air.phases_of[l]];
-      for (std::size_t k = 0; k < layers; ++k) {
-        const std::size_t at = l * layers + k;
-        out.push_back({air.a[at] + air.b[at], air.b[at], 0, {}});
-        if (air.b[at] == 0) continue;
-        // The line is scattered in the shares of those that it shares phase functions with.
-        for (const optics::AirScatterer& by : phases.scatterers[k]) {
-          const double b = phases.b[k] > 0 ? air.b[at] / phases.b[k] * by.b_per_m : air.b[at];
-          out.back().part.push_back({b, phase_of(by)});
-        }
+LayerCoefficients coefficients_of(const Air& air, Medium& medium,
+                                  const std::stop_token& stop) {
+  LayerCoefficients out;
+  const std::size_t layers = air.layers();
+  const bool vacuum = static_cast<std::size_t>(medium.layers()) > layers;
+  for (std::size_t l = 0; l < medium.line.size(); ++l) {
+    const AirPhases& phases = air.phases[air.phases_of[l]];
+    for (std::size_t k = 0; k < layers; ++k) {
+      const std::size_t at = l * layers + k;
+      out.push_back({air.a[at] + air.b[at], air.b[at], 0, {}});
+      if (air.b[at] == 0) continue;
+      // The line is scattered in the shares of those that it shares phase functions with.
+      for (const optics::AirScatterer& by : phases.scatterers[k]) {
+        const double b = phases.b[k] > 0 ? air.b[at] / phases.b[k] * by.b_per_m : air.b[at];
+        break_off_if(stop);
+        out.back().part.push_back({b, medium.add_phase((*air.tables)(by.phase))});
       }
-      if (vacuum) out.emplace_back();
     }
-    return out;
+    if (vacuum) out.emplace_back();
   }
-
- private:
-  std::int32_t phase_of(const optics::AirScatterer& by) {
-    if (const auto known = known_.find(by.name); known != known_.end()) return known->second;
-    break_off_if(stop_);
-    const std::int32_t number = medium_.add_phase(optics::PhaseTable(by.phase));
-    if (!by.name.empty()) known_.emplace(by.name, number);
-    return number;
-  }
-
-  Medium& medium_;
-  const std::stop_token& stop_;
-  std::map<std::string, std::int32_t> known_;
-};
+  return out;
+}
 
 }  // namespace
 
@@ -105,13 +88,12 @@ std::vector<double> excess_depths(const std::vector<OtherAir>& airs,
 
 void add_other_airs(const Air& air, const std::vector<OtherAir>& airs, const Medium& sea,
                     Medium& medium, const std::stop_token& stop) {
-  AirCoefficients coefficients_of(medium, stop);
   std::vector<Variation> variations;
   for (const OtherAir& other : airs)
-    variations.push_back(
-        {other.name, coefficients_of(other.from), coefficients_of(other.to), other.scale});
+    variations.push_back({other.name, coefficients_of(other.from, medium, stop),
+                          coefficients_of(other.to, medium, stop), other.scale});
   EnvironmentTables& out = medium.environments;
-  add_variations(coefficients_of(air), variations,
+  add_variations(coefficients_of(air, medium, stop), variations,
                  static_cast<std::size_t>(sea.environments.first_tangent), out);
   out.surface = sea.environments.surface;
 }

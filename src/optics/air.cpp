@@ -1,7 +1,5 @@
 #include "optics/air.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "core/interpolation.hpp"
@@ -54,8 +52,7 @@ class LayerMaker {
       add_source(out_.ozone_source, of.source);
     }
 
-    layer.scatterers.push_back({fmt::format("molecules at {} nm", nm_), layer.molecules_b_per_m,
-                                rayleigh(out_.depolarisation)});
+    layer.scatterers.push_back({layer.molecules_b_per_m, rayleigh(out_.depolarisation)});
     double g_b = 0;
     for (std::size_t k = 0; k < aerosol_regions; ++k) {
       const double at_550_per_m =
@@ -68,8 +65,7 @@ class LayerMaker {
       layer.aerosols_a_per_m += at_550_per_m * of.absorption;
       layer.aerosols_b_per_m += b;
       g_b += b * of.g;
-      layer.scatterers.push_back(
-          {fmt::format("{} at {} % and {} nm", choice_.model[k], humidity, nm_), b, of.phase});
+      layer.scatterers.push_back({b, of.phase});
       add_source(out_.aerosols_source, of.source);
     }
     if (layer.aerosols_b_per_m > 0) layer.aerosols_g = g_b / layer.aerosols_b_per_m;

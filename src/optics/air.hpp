@@ -18,7 +18,6 @@ struct AerosolChoice {
 
 /// Molecules, or the aerosols of a region, in a layer.
 struct AirScatterer {
-  std::string name;  ///< those of the same name scatter alike
   double b_per_m = 0;
   PhaseShape phase;  ///< none where aerosols' are left out
 };

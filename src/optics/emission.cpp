@@ -17,7 +17,8 @@ EmissionSpectrum::EmissionSpectrum(std::vector<double> wavelength_nm, std::vecto
 double EmissionSpectrum::photons(double from_nm, double to_nm,
                                  const std::function<double(double)>& weight) const {
   double sum = 0;
-  for (std::size_t i = 1; i < nm_.size(); ++i) {
+  const auto first = std::ranges::upper_bound(nm_, from_nm) - nm_.begin();
+  for (auto i = std::max<std::size_t>(1, first); i < nm_.size() && nm_[i - 1] < to_nm; ++i) {
     const double low = std::max(from_nm, nm_[i - 1]);
     const double high = std::min(to_nm, nm_[i]);
     if (low >= high) continue;

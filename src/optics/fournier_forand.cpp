@@ -89,7 +89,8 @@ FournierForand FournierForand::of_backscatter(double fraction) {
 }
 
 PhaseShape FournierForand::shape() const {
-  return {[*this](double x) { return p(x); }, below(PhaseView::x_core)};
+  return {[*this](double x) { return p(x); }, below(PhaseView::x_core),
+          PhaseKey("fournier-forand").add(v_).add(delta_per_x_).add(tail_)};
 }
 
 }  // namespace photic::optics

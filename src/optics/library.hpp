@@ -12,6 +12,7 @@
 #include "optics/data_table.hpp"
 #include "optics/oil.hpp"
 #include "optics/phase_from_table.hpp"
+#include "optics/phase_table_cache.hpp"
 #include "optics/spheres.hpp"
 
 namespace photic::optics {
@@ -118,6 +119,8 @@ class Library {
   const Spectrum whitecaps_koepke, whitecaps_frouin;  ///< reflectance; over that at short waves
 
   const SpheresCache spheres;  ///< no table: what Mie theory gives, computed once
+  /// Nor these, of phase functions. Airs that were made by this library go on using it.
+  const std::shared_ptr<const PhaseTableCache> phases = std::make_shared<const PhaseTableCache>();
   const AirLibraryCache air;
 };
 

@@ -103,6 +103,7 @@ PhaseBetweenAngles phase_between_angles(const std::vector<double>& values_per_sr
   const double scale = 1 / out.integral;
   out.shape.p = [curve, scale](double x) { return scale * curve->p(degrees_of_x(x)); };
   out.shape.core_mass = scale * curve->integral(0, degrees_of_x(PhaseView::x_core));
+  out.shape.key = PhaseKey("between angles").add(values_per_sr);
   return out;
 }
 

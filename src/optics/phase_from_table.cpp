@@ -141,7 +141,8 @@ std::string how_to_normalise(double integral) {
 }  // namespace
 
 TabulatedPhase phase_from_table(const DataTable& table) {
-  const Curve curve(checked_x(table), checked_p(table));
+  const std::vector<double> row_x = checked_x(table), row_p = checked_p(table);
+  const Curve curve(row_x, row_p);
   if (curve.forward_steepness() >= 1) {
     table.fail(
         0, p_column,
@@ -163,6 +164,7 @@ TabulatedPhase phase_from_table(const DataTable& table) {
   }
   const double scale = 1 / out.integral;
   out.shape.p = [curve, scale](double x) { return scale * curve.p(x); };
+  out.shape.key = PhaseKey("table").add(row_x).add(row_p);
   // Not a rounding above 1.
   out.shape.core_mass = std::min(1.0, scale * curve.mass_below(PhaseView::x_core));
   const double resolved = table_integral(out.shape);

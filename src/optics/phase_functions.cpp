@@ -21,6 +21,7 @@ PhaseShape dipole(double level, double a) {
   // 2 pi times the integral of p over 0 … x_core.
   const double squares = x_core - x_core * x_core + x_core * x_core * x_core / 3;
   shape.core_mass = 2 * pi * level * (x_core + a * squares);
+  shape.key = PhaseKey("dipole").add(level).add(a);
   return shape;
 }
 
@@ -29,6 +30,16 @@ void check_range(const char* model, const char* name, double value, bool inside,
   if (inside) return;
   throw InputError(
       {{"", 0, 0, fmt::format("{}: {} = {:g} is outside {}", model, name, value, range), ""}});
+}
+
+/// The order of the parts is that of their sum.
+PhaseKey key_of_mixture(const std::vector<std::pair<double, PhaseShape>>& parts) {
+  PhaseKey key("mixture");
+  for (const auto& [share, part] : parts) {
+    if (part.key.empty()) return {};
+    key.add(share).add(part.key);
+  }
+  return key;
 }
 
 }  // namespace
@@ -58,6 +69,7 @@ PhaseShape henyey_greenstein(double g) {
   // (1-g^2)/(2g) [1/(1-g) - 1/d], without the difference.
   const double d = std::sqrt(distance_squared(x_core));
   shape.core_mass = (1 + g) * x_core / (d * (1 - g + d));
+  shape.key = PhaseKey("henyey-greenstein").add(g);
   return shape;
 }
 
@@ -78,6 +90,7 @@ PhaseShape mixture(const std::vector<std::pair<double, PhaseShape>>& parts) {
     for (const auto& [share, part] : parts) p += share * part.p(x);
     return p;
   };
+  shape.key = key_of_mixture(parts);
   return shape;
 }
 

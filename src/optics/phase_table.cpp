@@ -58,6 +58,12 @@ std::vector<double> nodes_of(const PhaseShape& shape) {
   return node;
 }
 
+double integral(const std::vector<double>& node, double core_mass) {
+  double sum = core_mass;
+  for (int i = 0; i < outer_cells; ++i) sum += mass(node, i);
+  return sum;
+}
+
 /// The inverse of a table's cumulative, asked for one u after the other: each close to the last.
 class Inverse {
  public:
@@ -158,6 +164,8 @@ PhaseShape tabulated(const PhaseShape& shape) {
   for (int i = 0; i <= outer_cells; ++i) known.x.push_back(edge(i));
   PhaseShape out;
   out.core_mass = shape.core_mass;
+  // Where at_edges() takes lines for straight, p is theirs.
+  if (!shape.key.empty()) out.key = PhaseKey("tabulated").add(shape.key);
   out.p = [known = std::make_shared<const Known>(std::move(known))](double x) {
     const auto node = std::lower_bound(known->x.begin(), known->x.end(), x);
     return node != known->x.end() && *node == x
@@ -168,17 +176,14 @@ PhaseShape tabulated(const PhaseShape& shape) {
 }
 
 double table_integral(const PhaseShape& shape) {
-  const std::vector<double> node = nodes_of(shape);
-  double sum = shape.core_mass;
-  for (int i = 0; i < outer_cells; ++i) sum += mass(node, i);
-  return sum;
+  return integral(nodes_of(shape), shape.core_mass);
 }
 
 PhaseTable::PhaseTable(const PhaseShape& shape) {
   expect(shape.core_mass >= 0 && shape.core_mass <= 1,
          "the core of a phase function holds a share of it");
   const std::vector<double> node = nodes_of(shape);
-  const double whole = table_integral(shape);
+  const double whole = integral(node, shape.core_mass);
   expect(std::abs(whole - 1) <= 1e-4, "a phase function integrates to 1");
 
   std::vector<double> line;

@@ -17,6 +17,7 @@
 #include "core/constants.hpp"
 #include "core/lanes.hpp"
 #include "core/twin_table.hpp"
+#include "optics/phase_key.hpp"
 
 namespace photic::optics {
 
@@ -106,6 +107,7 @@ struct PhaseView {
 struct PhaseShape {
   std::function<double(double)> p;  ///< p(x) [1/sr] at x = 1 - cos, for x_core <= x <= 2
   double core_mass = 0;             ///< the share of all scattering inside x_core
+  PhaseKey key{};                   ///< of those of one key p and core_mass are the same
 };
 
 /// The same shape, which knows what the nodes of a table ask it for: that is computed once.

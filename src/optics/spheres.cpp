@@ -188,6 +188,22 @@ bool AdaptiveIntegral::halve_the_worst(Integrand& f) {
   return any;
 }
 
+PhaseKey key_of(const Spheres& spheres) {
+  PhaseKey key("spheres");
+  key.add(spheres.wavelength_m).add(spheres.index).add(spheres.absorption_index);
+  if (const auto* junge = std::get_if<Junge>(&spheres.sizes))
+    return key.add(
+        PhaseKey("junge").add(junge->slope).add(junge->min_radius_m).add(junge->max_radius_m));
+  if (const auto* log_normal = std::get_if<LogNormal>(&spheres.sizes))
+    return key.add(PhaseKey("log-normal")
+                       .add(log_normal->mode_radius_m)
+                       .add(log_normal->spread)
+                       .add(log_normal->min_radius_m)
+                       .add(log_normal->max_radius_m));
+  const auto& table = std::get<SizeTable>(spheres.sizes);
+  return key.add(PhaseKey("sizes").add(table.radius_m).add(table.number));
+}
+
 }  // namespace
 
 SpheresOptics optics_of_spheres(const Spheres& spheres, const std::stop_token& stop) {
@@ -198,7 +214,8 @@ SpheresOptics optics_of_spheres(const Spheres& spheres, const std::stop_token& s
   Values p(total.begin() + Of::angles, total.end());
   for (double& value : p) value /= total[Of::scattering];
   const SphereSections sections = integrand.sections(total);
-  return {.extinction_m2 = sections.scattering_m2 + sections.absorption_m2,
+  return {.of = spheres,
+          .extinction_m2 = sections.scattering_m2 + sections.absorption_m2,
           .scattering_m2 = sections.scattering_m2,
           .absorption_m2 = sections.absorption_m2,
           .mean_cosine = total[Of::forward] / total[Of::scattering],
@@ -216,6 +233,7 @@ SphereSections sections_of_spheres(const Spheres& spheres, const std::stop_token
 
 PhaseShape phase_of_spheres(std::shared_ptr<const SpheresOptics> optics) {
   PhaseShape shape;
+  shape.key = key_of(optics->of);
   shape.p = [optics = std::move(optics)](double x) {
     return std::max(0.0, optics->phase.at(x));  // not a rounding below
   };

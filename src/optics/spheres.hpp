@@ -21,6 +21,7 @@ struct Spheres {
 
 /// Means over all spheres.
 struct SpheresOptics {
+  Spheres of;
   double extinction_m2 = 0, scattering_m2 = 0, absorption_m2 = 0;  ///< cross-sections of one
   double mean_cosine = 0;                                          ///< g of what is scattered
   double volume_m3 = 0;                                            ///< of one

@@ -240,7 +240,7 @@ class BatchRunner {
   std::exception_ptr failure_;
 };
 
-/// Runs a model in lanes, or by the scalar engine.
+/// Runs a model in lanes, or by the scalar engine. Throws Stopped before the first batch alone.
 tally::Totals run_batches(const estimator::Model& model, RunControl& control,
                           const std::optional<Isa>& lanes);
 

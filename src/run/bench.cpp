@@ -74,8 +74,7 @@ Candidate chosen_by_auto(const scene::Scene& scene, const optics::Library& libra
   scene::Scene open = scene;
   open.simulation.estimator = scene::Estimator::automatic;
   open.simulation.estimator_reason.reset();
-  const auto chosen =
-      estimator::make_model(choose_estimator(open, library, pilots), library).scene.simulation;
+  const auto chosen = model_to_run(open, library, pilots).scene.simulation;
   Candidate c = candidate(scene, chosen.estimator, "as auto chooses");
   c.simulation = chosen;
   c.simulation.batch_photons = scene.simulation.batch_photons;  // its repeats have fewer

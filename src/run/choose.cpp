@@ -134,58 +134,67 @@ estimator::Model without_light_of_air(estimator::Model model) {
   return model;
 }
 
-/// A scene that names the bidirectional estimator, and leaves open whether walks are free.
-scene::Scene choose_free_walks(const scene::Scene& scene, const optics::Library& library,
-                               const RunOptions& options) {
-  const scene::Simulation& asked = scene.simulation;
-  if (asked.free_telescope_meetings && asked.free_laser_meetings) return scene;
-  const auto model = without_light_of_air(estimator::make_model(scene, library, options.stop()));
+/// The simulation of a scene that names the bidirectional estimator, and leaves open whether walks
+/// are free.
+scene::Simulation choose_free_walks(const scene::Simulation& asked,
+                                    const estimator::Model& of_all_light,
+                                    const RunOptions& options) {
+  if (asked.free_telescope_meetings && asked.free_laser_meetings) return asked;
+  const auto model = without_light_of_air(of_all_light);
   const auto free = open_free_meetings(model, model.scene.simulation, options);
   std::vector<Contender> all;
   add_bidirectional(asked, "without free walks", free, all);
-  scene::Scene chosen = scene;
-  chosen.simulation = all.front().simulation;
-  if (!free) return chosen;
+  if (!free) return all.front().simulation;
   all.back().name = "with free walks";
-  chosen.simulation = best_of(model, all, {}, all.back().simulation, options);
-  return chosen;
+  return best_of(model, all, {}, all.back().simulation, options);
+}
+
+/// The simulation by the forward estimator, where there is no choice.
+scene::Simulation only_forward(scene::Simulation asked, const std::string& reason) {
+  asked.estimator = scene::Estimator::forward;
+  asked.estimator_reason = reason;
+  return asked;
+}
+
+/// The model of a scene under air that leaves the estimator open, with a choice of free walks.
+estimator::Model with_free_walks(estimator::Model model, const RunOptions& options) {
+  scene::Simulation walks = model.scene.simulation;
+  walks.estimator = scene::Estimator::bidirectional;
+  const scene::Simulation free =
+      choose_free_walks(walks, estimator::with_simulation(model, walks), options);
+  model.scene.simulation.free_telescope_meetings = free.free_telescope_meetings;
+  model.scene.simulation.free_laser_meetings = free.free_laser_meetings;
+  return model;
+}
+
+/// The simulation of a scene that leaves the estimator open, by pilots.
+scene::Simulation choose_by_pilots(const estimator::Model& model, const RunOptions& options) {
+  return best_of(model, contenders(model, options), settings_to_try(model),
+                 usual_bidirectional(model), options);
 }
 
 }  // namespace
 
-scene::Scene choose_estimator(const scene::Scene& scene, const optics::Library& library,
+scene::Simulation choose_estimator(const scene::Scene& scene, const estimator::Model& model,
+                                   const RunOptions& options) {
+  const scene::Simulation& asked = scene.simulation;
+  if (asked.estimator == scene::Estimator::bidirectional)
+    return choose_free_walks(asked, model, options);
+  if (asked.estimator != scene::Estimator::automatic) return asked;
+  if (!scene.tally.empty()) return only_forward(asked, "the only one with tallies beside echoes");
+  if (asked.tools.any())
+    return only_forward(asked, "the only one with the requested tools in this version");
+  if (const auto reason = scene::bidirectional_lacks(scene))
+    return only_forward(asked, "the bidirectional one cannot treat " + *reason);
+  return model.air ? choose_by_pilots(with_free_walks(model, options), options)
+                   : choose_by_pilots(model, options);
+}
+
+estimator::Model model_to_run(const scene::Scene& scene, const optics::Library& library,
                               const RunOptions& options) {
-  if (scene.simulation.estimator == scene::Estimator::bidirectional)
-    return choose_free_walks(scene, library, options);
-  if (scene.simulation.estimator != scene::Estimator::automatic) return scene;
-  scene::Scene chosen = scene;
-  scene::Simulation& simulation = chosen.simulation;
-  if (!scene.tally.empty()) {
-    simulation.estimator = scene::Estimator::forward;
-    simulation.estimator_reason = "the only one with tallies beside echoes";
-    return chosen;
-  }
-  if (scene.simulation.tools.any()) {
-    simulation.estimator = scene::Estimator::forward;
-    simulation.estimator_reason = "the only one with the requested tools in this version";
-    return chosen;
-  }
-  if (const auto reason = scene::bidirectional_lacks(scene)) {
-    simulation.estimator = scene::Estimator::forward;
-    simulation.estimator_reason = "the bidirectional one cannot treat " + *reason;
-    return chosen;
-  }
   estimator::Model model = estimator::make_model(scene, library, options.stop());
-  if (model.air) {
-    scene::Scene walks = scene;
-    walks.simulation.estimator = scene::Estimator::bidirectional;
-    const scene::Simulation free = choose_free_walks(walks, library, options).simulation;
-    model.scene.simulation.free_telescope_meetings = free.free_telescope_meetings;
-    model.scene.simulation.free_laser_meetings = free.free_laser_meetings;
-  }
-  simulation = best_of(model, contenders(model, options), settings_to_try(model),
-                       usual_bidirectional(model), options);
-  return chosen;
+  const scene::Simulation chosen = choose_estimator(scene, model, options);
+  return chosen == scene.simulation ? model : estimator::with_simulation(std::move(model), chosen, options.stop());
 }
 
 }  // namespace photic::run

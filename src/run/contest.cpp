@@ -54,7 +54,8 @@ Isa engine_of_pilots(const RunOptions& options) {
   return options.lanes.value_or(isas_here().back());
 }
 
-estimator::Model model_of(const estimator::Model& open, const Contender& contender) {
+estimator::Model model_of(const estimator::Model& open, const Contender& contender,
+                          const std::stop_token& stop) {
   scene::Simulation s = contender.simulation;
   s.seed ^= estimator::pilot_stream;
   s.photons.reset();
@@ -62,7 +63,7 @@ estimator::Model model_of(const estimator::Model& open, const Contender& contend
   s.max_time_s.reset();
   s.batch_photons.reset();
   s.batch_photons = estimator::batch_photons(s);  // of any run: pilots have smaller ones in these
-  return estimator::simulated_by(open, s);
+  return estimator::simulated_by(open, s, stop);
 }
 
 PricedScene priced_scene(const estimator::Model& model) {
@@ -75,8 +76,9 @@ PricedScene priced_scene(const estimator::Model& model) {
 /// The pilot of one contender, which can go on.
 class Trial {
  public:
-  Trial(const estimator::Model& open, const Contender& contender, std::uint64_t in_batch)
-      : model_(model_of(open, contender)),
+  Trial(const estimator::Model& open, const Contender& contender, std::uint64_t in_batch,
+        const std::stop_token& stop)
+      : model_(model_of(open, contender, stop)),
         forward_(estimator() == scene::Estimator::forward),
         in_batch_(in_batch * (forward_ ? forward_factor : 1)),
         keeps_(scene::tally_memory(open.scene).bytes() < max_kept_bytes) {}
@@ -149,7 +151,7 @@ class Contest {
     in_batch_ = std::clamp(asked_.photons.value_or(std::numeric_limits<std::uint64_t>::max()) /
                                (first_batches * min_in_batch),
                            min_in_batch, max_in_batch);
-    for (const Contender& c : contenders) trials_.emplace_back(model, c, in_batch_);
+    for (const Contender& c : contenders) trials_.emplace_back(model, c, in_batch_, options.stop());
     for (std::size_t i = 0; i < trials_.size(); ++i) staying_.push_back(i);
     out_.standing.resize(trials_.size());
     out_.aim = aim_of(asked_);
@@ -248,7 +250,7 @@ class Contest {
     setting.apply(changed);
     if (changed == out_.simulation || !affords(best.cost)) return;
     announce(1, options_);
-    trials_.emplace_back(model_, Contender{setting.name, changed}, in_batch_);
+    trials_.emplace_back(model_, Contender{setting.name, changed}, in_batch_, options_.stop());
     trials_.back().go_on_to(batches_, options_);
     out_.operations += trials_.back().operations();
     const std::vector<Pilot> both{best, trials_.back().pilot_of_setting()};
@@ -306,7 +308,7 @@ class Contest {
 PilotScores scores_of_first_pilot(const estimator::Model& model,
                                   const scene::Simulation& simulation, const RunOptions& options) {
   announce(1, options);
-  Trial trial(model, {{}, simulation}, min_in_batch);
+  Trial trial(model, {{}, simulation}, min_in_batch, options.stop());
   trial.go_on_to(first_batches, options);
   const double receivers = static_cast<double>(estimator::count_receivers(model));
   return {trial.scores(), static_cast<double>(trial.photons()) * receivers /

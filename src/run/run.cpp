@@ -138,15 +138,20 @@ void check_lanes(Isa isa) {
 
 using SharedModel = std::shared_ptr<const estimator::Model>;
 
-/// The model of a scene whose estimator has been chosen.
-SharedModel prepare(const scene::Scene& asked, const optics::Library& library,
-                    const RunOptions& options) {
+/// A scene whose estimator has been chosen, ready to be simulated.
+struct Prepared {
+  SharedModel model;
+  std::unique_ptr<schedule::Simulator> simulator;
+};
+
+Prepared prepare(const scene::Scene& asked, const optics::Library& library,
+                 const RunOptions& options) {
   try {
-    const scene::Scene scene = choose_estimator(asked, library, options);
-    auto model = std::make_shared<const estimator::Model>(
-        estimator::make_model(scene, library, options.stop()));
+    Prepared out;
+    out.model = std::make_shared<const estimator::Model>(model_to_run(asked, library, options));
+    out.simulator = schedule::make_simulator(*out.model, options.lanes, options.stop());
     break_off_if(options.stop());
-    return model;
+    return out;
   } catch (const Stopped&) {
     throw StoppedBeforeFirstBatch();
   }
@@ -209,8 +214,8 @@ class Ended {
 };
 
 /// Simulates, for all to see. What that takes besides the totals is gone at its end.
-tally::Totals simulate(const SharedModel& model, RunControl& control, const RunOptions& options) {
-  const auto simulator = schedule::make_simulator(*model, options.lanes);
+tally::Totals simulate(const SharedModel& model, std::unique_ptr<schedule::Simulator> simulator,
+                       RunControl& control, const RunOptions& options) {
   BatchRunner runner(*model, *simulator, control);
   const Shown shown(model, control, runner, options);
   return runner.run();
@@ -220,7 +225,7 @@ tally::Totals simulate(const SharedModel& model, RunControl& control, const RunO
 
 tally::Totals run_batches(const estimator::Model& model, RunControl& control,
                           const std::optional<Isa>& lanes) {
-  return BatchRunner(model, *schedule::make_simulator(model, lanes), control).run();
+  return BatchRunner(model, *schedule::make_simulator(model, lanes, control.stop()), control).run();
 }
 
 tally::Result run(const scene::Scene& asked, const optics::Library& library,
@@ -231,9 +236,9 @@ tally::Result run(const scene::Scene& asked, const optics::Library& library,
     throw InputError({{.file = "--engine lanes",
                        .reason = "spherical air is followed in double, by the scalar engine alone",
                        .suggestion = "leave out --engine and --isa"}});
-  const SharedModel model = prepare(asked, library, options);
+  auto [model, simulator] = prepare(asked, library, options);
   RunControl control(model->scene.simulation, options);
-  tally::Totals totals = simulate(model, control, options);
+  tally::Totals totals = simulate(model, std::move(simulator), control, options);
   if (totals.state().batches == 0) throw StoppedBeforeFirstBatch();
   const Ending& ending = control.ending;
   tally::Result result = result_of(*model, totals, ending, ending.stopped_by, options.lanes);

@@ -38,7 +38,7 @@ const std::string of_walks =
     "walks = 3\nmeetings = 50\nconnected_fraction = 0.5\nwalk_attenuation = 0.8\n"
     "free_telescope_meetings = 1\nfree_laser_meetings = 0\n";
 const std::string of_histories = "directed_fraction = 0.4\nscored_points = 2\n";
-const std::string raman = R"(process = "raman")";
+const std::string of_raman = R"(process = "raman")";
 
 // Seen red: without the row of `walks`.
 TEST(UnusedSettings, OfWalksWhereThereAreNone) {
@@ -136,7 +136,7 @@ TEST(UnusedSettings, OfConversionsWhereNothingIsConverted) {
   EXPECT_EQ(remarks(conversion, {"oil={ class = \"weakly-absorbing-crude\", thickness_um = 5 }"},
                     R"(process = "oil")"),
             none);
-  EXPECT_EQ(remarks(conversion, {}, raman), Texts{});
+  EXPECT_EQ(remarks(conversion, {}, of_raman), Texts{});
   const std::string fluorescence = R"(process = "chlorophyll")";
   EXPECT_EQ(remarks(conversion,
                     {"environment=[{ set = { \"sea.layer.0.chlorophyll_mg_m3\" = 0, "
@@ -144,7 +144,7 @@ TEST(UnusedSettings, OfConversionsWhereNothingIsConverted) {
                     fluorescence),
             Texts{});
   EXPECT_EQ(
-      remarks(conversion + "estimator = \"analog\"", {}, raman),
+      remarks(conversion + "estimator = \"analog\"", {}, of_raman),
       Texts{place + "analog photons are converted as often as the water converts them; leave it "
                     "out"});
 }
@@ -191,20 +191,20 @@ TEST(UnusedSettings, AreNotInResults) {
       "free_telescope_meetings = 1\nfree_laser_meetings = 2\nconversion_probability = 0.5\n" +
       of_histories;
   const Overrides collimated{"source.half_divergence_mrad=0"};
-  const auto forward = effective(named + "estimator = \"forward\"", collimated, raman);
+  const auto forward = effective(named + "estimator = \"forward\"", collimated, of_raman);
   EXPECT_FALSE(forward.walks || forward.meetings || forward.connected_fraction ||
                forward.walk_attenuation || forward.free_telescope_meetings ||
                forward.free_laser_meetings);
   EXPECT_EQ(forward.directed_fraction, 0.4);
   EXPECT_EQ(forward.scored_points, 2);
   EXPECT_EQ(forward.conversion_probability, 0.5);
-  const auto walks = effective(named + "estimator = \"bidirectional\"", collimated, raman);
+  const auto walks = effective(named + "estimator = \"bidirectional\"", collimated, of_raman);
   EXPECT_FALSE(walks.directed_fraction || walks.scored_points);
   EXPECT_EQ(walks.walks, 3);
   EXPECT_EQ(walks.free_telescope_meetings, 1);
   EXPECT_EQ(walks.free_laser_meetings, 0);
   EXPECT_EQ(walks.conversion_probability, 0.5);
-  const auto analog = effective(named + "estimator = \"analog\"", collimated, raman);
+  const auto analog = effective(named + "estimator = \"analog\"", collimated, of_raman);
   EXPECT_FALSE(analog.walks || analog.directed_fraction || analog.conversion_probability);
   const std::string elastic = R"(process = "elastic")";
   for (const char* estimator : {"forward", "bidirectional"})

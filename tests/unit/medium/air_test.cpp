@@ -239,7 +239,7 @@ TEST(Air, HasTheAerosolsAndTheHumidityOfTheBoundaryLayer) {
   scene::Atmosphere moist = hazy_air("maritime", 23);
   moist.relative_humidity_percent = 95;
   const Air swollen = air_of(moist, {355});
-  EXPECT_GT(swollen.phase(0, 0).mean_cosine(), maritime.phase(0, 0).mean_cosine() + 0.01);
+  EXPECT_GT(swollen.phase(0, 0)->mean_cosine(), maritime.phase(0, 0)->mean_cosine() + 0.01);
   EXPECT_EQ(scattering_at(swollen, 5500), scattering_at(maritime, 5500));
 }
 
@@ -290,8 +290,8 @@ TEST(Air, OfOwnLayersIsWhatTheSceneSays) {
   }
   EXPECT_EQ(air.refractive_index, (std::vector{1.0, 1.5, 1.0, 1.5}));
   ASSERT_EQ(air.phases.front().scatterers.size(), 2U);
-  EXPECT_NEAR(air.phase(0, 0).mean_cosine(), 0, 1e-4);  // molecules
-  EXPECT_NEAR(air.phase(0, 1).mean_cosine(), 0.7, 1e-3);
+  EXPECT_NEAR(air.phase(0, 0)->mean_cosine(), 0, 1e-4);  // molecules
+  EXPECT_NEAR(air.phase(0, 1)->mean_cosine(), 0.7, 1e-3);
   EXPECT_NEAR(air.optical_depth(0), 1.25e-3 * 100 + 2.5e-3 * 800, 1e-12);
   EXPECT_FALSE(air.depths);
 }
@@ -320,7 +320,7 @@ TEST(Air, ScattersEachLineByItsOwnPhaseFunctions) {
     for (std::size_t i = 0; i < nm.size(); ++i) {
       const optics::PhaseTable own(build.at(scene, nm[i], optics::Phases::wanted).layers[0].phase);
       for (const double x : {0.01, 0.5, 1.5})
-        EXPECT_DOUBLE_EQ(air.phase(i, 0).view().value(x), own.view().value(x)) << nm[i];
+        EXPECT_DOUBLE_EQ(air.phase(i, 0)->view().value(x), own.view().value(x)) << nm[i];
     }
   }
 }

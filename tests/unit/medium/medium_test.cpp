@@ -14,12 +14,16 @@ namespace {
 
 TEST(Medium, KeepsEqualPhaseFunctionsOnce) {
   Medium m;
-  const optics::PhaseTable a(optics::henyey_greenstein(0.9));
-  const optics::PhaseTable b(optics::henyey_greenstein(0.5));
-  EXPECT_EQ(m.add_phase(a), 0);
-  EXPECT_EQ(m.add_phase(b), 1);
-  EXPECT_EQ(m.add_phase(a), 0);
-  EXPECT_EQ(m.add_phase(b), 1);
+  const auto of = [](double g) {
+    return std::make_shared<const optics::PhaseTable>(optics::henyey_greenstein(g));
+  };
+  const auto table = of(0.9);
+  EXPECT_EQ(m.add_phase(table), 0);
+  EXPECT_EQ(m.add_phase(of(0.5)), 1);
+  EXPECT_EQ(m.add_phase(table), 0);
+  EXPECT_EQ(m.add_phase(of(0.9)), 0);
+  EXPECT_EQ(m.add_phase(of(0.5)), 1);
+  const optics::PhaseTable &a = *m.phases()[0], &b = *m.phases()[1];
   m.top = {0, 1};
   for (const double x : {0.0, 1e-9, 0.01, 1.0, 2.0}) {
     EXPECT_EQ(m.view().phases.value<double>(x, 0), a.view().value<double>(x));

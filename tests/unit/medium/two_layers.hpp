@@ -14,7 +14,7 @@ inline Medium two_layers() {
   m.albedo = {0.5, 0.6, 0.3, 0.4};
   m.conversion = {0, 0, 0, 1e-3};
   m.absorption = {0.5, 0.399, 0.7, 0.6};
-  const auto phase = m.add_phase(optics::PhaseTable(optics::isotropic()));
+  const auto phase = m.add_phase(std::make_shared<const optics::PhaseTable>(optics::isotropic()));
   m.elastic_phase = {phase, phase, phase, phase};
   m.conversion_phase = {phase, phase};
   return m;

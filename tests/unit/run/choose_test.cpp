@@ -23,22 +23,27 @@ RunOptions on_threads(int threads) {
   return options;
 }
 
+scene::Scene chosen_scene(scene::Scene scene, const RunOptions& options) {
+  scene.simulation =
+      choose_estimator(scene, estimator::make_model(scene, *test::tables()), options);
+  return scene;
+}
+
 // Seen red: with the number of threads in the reason.
 TEST(Choose, IsTheSameOnAnyNumberOfThreads) {
-  const scene::Scene chosen = choose_estimator(scene_of("auto"), *test::tables(), on_threads(1));
-  EXPECT_EQ(choose_estimator(scene_of("auto"), *test::tables(), on_threads(3)), chosen);
+  const scene::Scene chosen = chosen_scene(scene_of("auto"), on_threads(1));
+  EXPECT_EQ(chosen_scene(scene_of("auto"), on_threads(3)), chosen);
   EXPECT_NE(chosen.simulation.estimator, scene::Estimator::automatic);
   EXPECT_TRUE(chosen.simulation.estimator_reason);
 }
 
 // Seen red: with the engine in the reason.
 TEST(Choose, IsTheSameByAnyEngine) {
-  const scene::Scene chosen = choose_estimator(scene_of("auto"), *test::tables(), {});
+  const scene::Scene chosen = chosen_scene(scene_of("auto"), {});
   for (const Isa isa : isas_here()) {
     RunOptions options;
     options.lanes = isa;
-    EXPECT_EQ(choose_estimator(scene_of("auto"), *test::tables(), options), chosen)
-        << isa_name(isa);
+    EXPECT_EQ(chosen_scene(scene_of("auto"), options), chosen) << isa_name(isa);
   }
 }
 
@@ -46,7 +51,7 @@ TEST(Choose, IsTheSameByAnyEngine) {
 TEST(Choose, TakesTheForwardEstimatorForTools) {
   scene::Scene asked = scene_of("auto");
   asked.simulation.tools.forced_collisions = 1;
-  const scene::Scene chosen = choose_estimator(asked, *test::tables(), {});
+  const scene::Scene chosen = chosen_scene(asked, {});
   EXPECT_EQ(chosen.simulation.estimator, scene::Estimator::forward);
   EXPECT_EQ(chosen.simulation.estimator_reason,
             "the only one with the requested tools in this version");
@@ -57,7 +62,7 @@ TEST(Choose, KeepsEnvironments) {
   scene::Scene asked = scene_of("auto");
   asked.environment.push_back({"clearer", {}, asked.optics, asked.sea});
   asked.environment.back().sea.layer[0].iop[0].a_per_m = 0.03;
-  const scene::Scene chosen = choose_estimator(asked, *test::tables(), {});
+  const scene::Scene chosen = chosen_scene(asked, {});
   EXPECT_EQ(chosen.environment, asked.environment);
   EXPECT_EQ(chosen.simulation.estimator, scene::Estimator::bidirectional);
   EXPECT_NE(chosen.simulation.estimator_reason->find("pilot runs"), std::string::npos);
@@ -66,7 +71,7 @@ TEST(Choose, KeepsEnvironments) {
 // Seen red: with the pilots' seed.
 TEST(Choose, ChangesNothingElse) {
   const scene::Scene asked = scene_of("auto");
-  scene::Scene chosen = choose_estimator(asked, *test::tables(), {});
+  scene::Scene chosen = chosen_scene(asked, {});
   chosen.simulation.estimator = asked.simulation.estimator;
   chosen.simulation.estimator_reason.reset();
   chosen.simulation.walk_attenuation = asked.simulation.walk_attenuation;
@@ -82,7 +87,7 @@ TEST(Choose, TakesTheForwardEstimatorOverColumns) {
   scene::Scene asked = scene_of("auto");
   asked.sea.column.emplace_back().layer = asked.sea.layer;
   asked.sea.layer.clear();
-  const scene::Simulation chosen = choose_estimator(asked, *test::tables(), {}).simulation;
+  const scene::Simulation chosen = chosen_scene(asked, {}).simulation;
   EXPECT_EQ(chosen.estimator, scene::Estimator::forward);
   EXPECT_EQ(chosen.estimator_reason,
             "the bidirectional one cannot treat columns of water: five of its seven strategies "
@@ -91,17 +96,17 @@ TEST(Choose, TakesTheForwardEstimatorOverColumns) {
 }
 
 TEST(Choose, LeavesAChoiceThatIsMade) {
-  EXPECT_EQ(choose_estimator(scene_of("forward"), *test::tables(), {}), scene_of("forward"));
+  EXPECT_EQ(chosen_scene(scene_of("forward"), {}), scene_of("forward"));
   scene::Scene asked = scene_of("bidirectional");
   asked.simulation.free_telescope_meetings = 0.3;
   asked.simulation.free_laser_meetings = 0;
-  EXPECT_EQ(choose_estimator(asked, *test::tables(), {}), asked);
+  EXPECT_EQ(chosen_scene(asked, {}), asked);
 }
 
 // Seen red: with one of them named taken for both.
 TEST(Choose, SaysHowOftenFreeWalksMeet) {
   const scene::Scene asked = scene_of("bidirectional");
-  scene::Scene chosen = choose_estimator(asked, *test::tables(), {});
+  scene::Scene chosen = chosen_scene(asked, {});
   scene::Simulation& s = chosen.simulation;
   EXPECT_TRUE(s.free_telescope_meetings && s.free_laser_meetings);
   EXPECT_NE(s.estimator_reason->find("free walks"), std::string::npos);
@@ -111,7 +116,7 @@ TEST(Choose, SaysHowOftenFreeWalksMeet) {
   EXPECT_EQ(chosen, asked);
   scene::Scene one = asked;
   one.simulation.free_laser_meetings = 0.7;
-  EXPECT_EQ(choose_estimator(one, *test::tables(), {}).simulation.free_laser_meetings, 0.7);
+  EXPECT_EQ(chosen_scene(one, {}).simulation.free_laser_meetings, 0.7);
 }
 
 /// From an aeroplane, by a wide view, in peaked water.
@@ -127,9 +132,8 @@ scene::Scene wide_scene(const std::string& simulation) {
 
 // Of each kind some tens in a set of walks. Seen red: without free walks; with ten times as many.
 TEST(Choose, HasWalksFreeInWideViews) {
-  const auto s = choose_estimator(wide_scene(test::simulation(50000, 3, "", "bidirectional")),
-                                  *test::tables(), {})
-                     .simulation;
+  const auto s =
+      chosen_scene(wide_scene(test::simulation(50000, 3, "", "bidirectional")), {}).simulation;
   EXPECT_GT(s.free_telescope_meetings, 0.02);
   EXPECT_LT(s.free_telescope_meetings, 0.2);
   EXPECT_GT(s.free_laser_meetings, 1);
@@ -144,9 +148,9 @@ TEST(Choose, DoesNotDependOnTheTimeLimit) {
   one.simulation.max_time_s = 1e-6;
   scene::Scene other = one;
   other.simulation.max_time_s = 1000;
-  scene::Scene chosen = choose_estimator(one, *test::tables(), {});
+  scene::Scene chosen = chosen_scene(one, {});
   chosen.simulation.max_time_s = 1000;
-  EXPECT_EQ(chosen, choose_estimator(other, *test::tables(), {}));
+  EXPECT_EQ(chosen, chosen_scene(other, {}));
 }
 
 /// Seen by a telescope over water of so much absorption, and as much scattering.
@@ -160,8 +164,7 @@ scene::Scene clear_scene(double per_m, const std::string& gates) {
 // score, and a contest of those that saw nothing.
 TEST(Choose, NeverTakesWhatSawNothing) {
   for (const double per_m : {1e-7, 1e-12}) {
-    const auto chosen =
-        choose_estimator(clear_scene(per_m, test::depth_gates(50, 5)), *test::tables(), {});
+    const auto chosen = chosen_scene(clear_scene(per_m, test::depth_gates(50, 5)), {});
     EXPECT_EQ(chosen.simulation.estimator, scene::Estimator::bidirectional);
   }
 }
@@ -170,7 +173,7 @@ TEST(Choose, NeverTakesWhatSawNothing) {
 TEST(Choose, SaysThatNothingWasSeen) {
   auto asked = clear_scene(0.1, "[gates]\nstart_ns = 80.0\nstop_ns = 120.0\nstep_ns = 10.0\n");
   asked.telescope[0].direction = {0, 0, 1};
-  const auto chosen = choose_estimator(asked, *test::tables(), {}).simulation;
+  const auto chosen = chosen_scene(asked, {}).simulation;
   EXPECT_EQ(chosen.estimator, scene::Estimator::bidirectional);
   EXPECT_EQ(chosen.walk_attenuation, 0.6);
   EXPECT_EQ(chosen.estimator_reason, reason_unseen);
@@ -182,9 +185,9 @@ TEST(Choose, SaysThatNothingWasSeen) {
 TEST(Choose, LeavesForwardSettingsThatAreGiven) {
   scene::Scene asked = scene_of("auto");
   asked.simulation.directed_fraction = 0.4;
-  EXPECT_EQ(choose_estimator(asked, *test::tables(), {}).simulation.directed_fraction, 0.4);
+  EXPECT_EQ(chosen_scene(asked, {}).simulation.directed_fraction, 0.4);
   asked.simulation.scored_points = 3;
-  const auto chosen = choose_estimator(asked, *test::tables(), {}).simulation;
+  const auto chosen = chosen_scene(asked, {}).simulation;
   EXPECT_EQ(chosen.scored_points, 3);
   const std::string given = "forward with directed_fraction = 0.4 and scored_points = 3";
   const std::size_t at = chosen.estimator_reason->find(given);
@@ -196,7 +199,7 @@ TEST(Choose, LeavesForwardSettingsThatAreGiven) {
 TEST(Choose, LeavesAWalkAttenuationThatIsGiven) {
   scene::Scene asked = scene_of("auto");
   asked.simulation.walk_attenuation = 0.7;
-  const auto chosen = choose_estimator(asked, *test::tables(), {}).simulation;
+  const auto chosen = chosen_scene(asked, {}).simulation;
   EXPECT_EQ(chosen.walk_attenuation, 0.7);
   EXPECT_EQ(chosen.estimator_reason->find("walk_attenuation = 0.6"), std::string::npos);
 }
@@ -205,13 +208,13 @@ TEST(Choose, LeavesAWalkAttenuationThatIsGiven) {
 TEST(Choose, LeavesSettingsOfWalksThatAreGiven) {
   scene::Scene asked = scene_of("auto");
   asked.simulation.photons = 200000;
-  const auto open = choose_estimator(asked, *test::tables(), {}).simulation;
+  const auto open = chosen_scene(asked, {}).simulation;
   EXPECT_NE(open.estimator_reason->find("then, against the best so far: meetings = 30"),
             std::string::npos);
   EXPECT_NE(open.estimator_reason->find("walks = 4"), std::string::npos);
   asked.simulation.meetings = 70;
   asked.simulation.walks = 3;
-  const auto named = choose_estimator(asked, *test::tables(), {}).simulation;
+  const auto named = chosen_scene(asked, {}).simulation;
   EXPECT_EQ(named.meetings, 70);
   EXPECT_EQ(named.walks, 3);
   EXPECT_EQ(named.estimator_reason->find("meetings = "), std::string::npos);
@@ -224,7 +227,7 @@ TEST(Choose, TriesConversionsWhereLightIsConverted) {
     const auto asked = test::read(test::ship_instrument + test::channel(process) +
                                   "[[sea.layer]]\nchlorophyll_mg_m3 = 0.1\n" +
                                   test::depth_gates(30, 10) + test::simulation(2e5, 3, "", "auto"));
-    const auto reason = *choose_estimator(asked, *test::tables(), {}).simulation.estimator_reason;
+    const auto reason = *chosen_scene(asked, {}).simulation.estimator_reason;
     EXPECT_EQ(reason.find("conversion_probability = 0.6") != std::string::npos, process == "raman")
         << reason;
   }
@@ -234,7 +237,7 @@ TEST(Choose, TriesConversionsWhereLightIsConverted) {
 // are. Seen red: without the weight of large scores.
 TEST(Choose, TakesWhatIsBestOnPeakedWater) {
   const auto peaked = scene::read_scene(PHOTIC_SOURCE_DIR "/scenes/benchmark-peaked.toml").scene;
-  const auto chosen = choose_estimator(peaked, *test::tables(), {}).simulation;
+  const auto chosen = chosen_scene(peaked, {}).simulation;
   EXPECT_EQ(chosen.estimator, scene::Estimator::bidirectional);
   EXPECT_EQ(chosen.walk_attenuation, 0.6);
 }
@@ -261,7 +264,7 @@ TEST(Choose, NeverLetsWeightsGrow) {
     const auto scene = test::read(test::ship_instrument + test::channel("elastic") +
                                   layer(upper, "bottom_depth_m = 2.0\n") + layer(lower, "") +
                                   test::depth_gates(30, 3) + test::simulation(2e5, 3, "", "auto"));
-    const auto chosen = choose_estimator(scene, *test::tables(), {}).simulation;
+    const auto chosen = chosen_scene(scene, {}).simulation;
     auto shares = walk_attenuations_in(*chosen.estimator_reason);
     shares.push_back(chosen.walk_attenuation.value_or(1));
     for (const double share : shares) EXPECT_GE(share, 0.9 * 0.1 / (lower + 0.1));
@@ -274,10 +277,9 @@ TEST(Choose, SaysWhatItMakesSmall) {
   const auto has = [](const scene::Scene& chosen, const char* words) {
     return chosen.simulation.estimator_reason->find(words) != std::string::npos;
   };
-  EXPECT_TRUE(has(choose_estimator(asked, *test::tables(), {}),
-                  "squared error at equal cost, geometric mean over"));
+  EXPECT_TRUE(has(chosen_scene(asked, {}), "squared error at equal cost, geometric mean over"));
   asked.simulation.target_relative_error = 0.05;
-  EXPECT_TRUE(has(choose_estimator(asked, *test::tables(), {}),
+  EXPECT_TRUE(has(chosen_scene(asked, {}),
                   "until the worst fifth of 10 gates has a relative "
                   "error of 0.05"));
 }

@@ -74,8 +74,7 @@ int most_at_once(int runs, const std::shared_ptr<Permits>& permits) {
   return counter.most();
 }
 
-// Seen red: with a permit more than asked for; with a permit that is not given back, by which the
-// test waits for ever; with permits that are not looked at.
+// Seen red: with a permit more than asked for.
 TEST(Permits, LimitTheBatchesOfAllRunsTogether) {
   EXPECT_EQ(most_at_once(6, std::make_shared<Permits>(2)), 2);
   EXPECT_EQ(most_at_once(6, std::make_shared<Permits>(5)), 5);

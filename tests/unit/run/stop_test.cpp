@@ -2,6 +2,7 @@
 // are counted; nothing here is measured by a clock, but for the patience of tests that fail.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <thread>
@@ -85,20 +86,26 @@ TEST(Stopped, ARunHasTheBatchesThatHaveEnded) {
 }
 
 /// A set without light whose batches end at once, but for those from a photon on: they last until
-/// they are stopped.
+/// they are stopped. The last of the others waits for the first of these.
 class EndlessFrom final : public schedule::SetSimulator {
  public:
   explicit EndlessFrom(std::uint64_t photon) : photon_(photon) {}
 
-  void run(std::uint64_t first, std::uint64_t /*count*/, tally::BatchTally& /*tally*/,
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& /*tally*/,
            schedule::Arrivals* /*passed*/, const std::stop_token& stop) const override {
-    if (first < photon_) return;
+    if (first < photon_) {
+      if (first + count == photon_) begun_.wait(false);
+      return;
+    }
+    begun_ = true;
+    begun_.notify_all();
     while (!stop.stop_requested()) std::this_thread::sleep_for(1ms);
     throw_stopped();
   }
 
  private:
   std::uint64_t photon_;
+  mutable std::atomic<bool> begun_ = false;
 };
 
 /// The end of a run on three threads of batches that never end from a photon on, stopped when it
@@ -143,7 +150,7 @@ TEST(Stopped, AreTheBatchesThatARunDoesNotNeed) {
   EXPECT_EQ(stopped_by, "time");
 }
 
-// Seen red: without a look at stops between pilots.
+// Seen red: without the look at stops after each pilot.
 TEST(Stopped, WhilePilotsCompareEstimatorsARunHasNoResult) {
   Watched run(watched_scene(for_ever, "auto"));
   run.wait_until([](const Progress& p) { return p.pilots_done >= 2; });
@@ -192,7 +199,7 @@ std::uint64_t collisions_after_stop(const std::string& estimator, const std::opt
 }
 
 // What is walked after a stop is one collision of the photons that are on their way together, or a
-// set of walks. Seen red: with a look at stops at the end of the batch alone, in each of them.
+// set of walks. Seen red, all of them: with engines that never look.
 TEST(Stopped, EnginesWalkNoFurtherThanToTheNextLook) {
   for (const auto& lanes : {std::optional<Isa>{}, std::optional(Isa::baseline)}) {
     EXPECT_LE(collisions_after_stop("forward", lanes), lanes ? 256U : 1U);
@@ -236,7 +243,7 @@ TEST(Stopped, WhileItWaitsForPermitsARunHasNoResult) {
   EXPECT_THROW(run.result(), StoppedBeforeFirstBatch);
 }
 
-// Seen red: with the state of the batch after it; without the copy's own state.
+// Seen red: with a state only where none is asked for.
 TEST(Watched, SoFarIsWhatARunOfSoManyPhotonsHas) {
   Watched run(watched_scene(for_ever));
   run.wait_until([](const Progress& p) { return p.photons >= photons_of_batch; });
@@ -256,7 +263,7 @@ TEST(Watched, SoFarIsWhatARunOfSoManyPhotonsHas) {
   EXPECT_FALSE(run.monitor.so_far());
 }
 
-// Seen red: with phases that are not reported; without the photons of earlier sittings.
+// Seen red: without the phase at the end.
 TEST(Watched, ProgressIsThatOfTheLastBatchEnd) {
   Watched run(watched_scene(40 * photons_of_batch, "forward", "target_relative_error = 1e-9\n"));
   EXPECT_EQ(run.result().photons, 40 * photons_of_batch);

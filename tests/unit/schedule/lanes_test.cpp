@@ -280,7 +280,9 @@ void expect_near(std::span<const double> lanes, std::span<const double> scalar, 
 /// rounding, some fall on the other side of a depth's edge, and the few histories that take another
 /// branch (see above) have some collisions more or less.
 void expect_echoes_of_the_scalar_engine(const scene::Scene& asked) {
-  scene::Scene scene = run::choose_estimator(asked, *test::tables(), {});
+  scene::Scene scene = asked;
+  scene.simulation =
+      run::choose_estimator(asked, estimator::make_model(asked, *test::tables()), {});
   scene.simulation.batch_photons = 2000;
   const estimator::Model model = estimator::make_model(scene, *test::tables());
   const run::RunOptions options;

@@ -118,7 +118,8 @@ TEST(ConnectInWater, MirroredIsTotalBeyondTheCriticalAngle) {
   sea.albedo = {0.5};
   sea.conversion = {0};
   sea.absorption = {0.5};
-  sea.elastic_phase = {sea.add_phase(optics::PhaseTable(optics::isotropic()))};
+  sea.elastic_phase = {
+      sea.add_phase(std::make_shared<const optics::PhaseTable>(optics::isotropic()))};
   sea.conversion_phase = {0};
   sea.finish();
   const auto acceptance = [&](double degrees) {

@@ -42,14 +42,17 @@ inline Sea make_sea(double bottom_m, const std::vector<double>& bed_albedo = {})
   sea.albedo = {0.6, 0.8, 0.7, 0.3, 0.5, 0.2, 0.2, 0.4, 0.1};
   sea.conversion = {0, 0, 0, 1e-3, 2e-3, 0, 0, 5e-3, 0};
   sea.absorption = {0.399, 0.193, 0.3, 0.7, 0.5, 0.8, 0.8, 0.6, 0.9};
-  const std::int32_t peaked =
-      sea.add_phase(optics::PhaseTable(optics::fournier_forand(1.10, 3.5835)));
-  const std::int32_t smooth = sea.add_phase(optics::PhaseTable(optics::henyey_greenstein(0.8)));
-  const std::int32_t molecules = sea.add_phase(optics::PhaseTable(optics::rayleigh(0.039)));
+  const std::int32_t peaked = sea.add_phase(
+      std::make_shared<const optics::PhaseTable>(optics::fournier_forand(1.10, 3.5835)));
+  const std::int32_t smooth =
+      sea.add_phase(std::make_shared<const optics::PhaseTable>(optics::henyey_greenstein(0.8)));
+  const std::int32_t molecules =
+      sea.add_phase(std::make_shared<const optics::PhaseTable>(optics::rayleigh(0.039)));
   for (int line = 0; line < 3; ++line)
     sea.elastic_phase.insert(sea.elastic_phase.end(), {peaked, smooth, molecules});
-  sea.conversion_phase = {0, sea.add_phase(optics::PhaseTable(optics::raman_phase(0.17))),
-                          sea.add_phase(optics::PhaseTable(optics::isotropic()))};
+  sea.conversion_phase = {
+      0, sea.add_phase(std::make_shared<const optics::PhaseTable>(optics::raman_phase(0.17))),
+      sea.add_phase(std::make_shared<const optics::PhaseTable>(optics::isotropic()))};
   sea.bed_albedo = bed_albedo;
   sea.finish();
   return sea;
