@@ -9,7 +9,17 @@ install(DIRECTORY ${PROJECT_BINARY_DIR}/scenes/ DESTINATION ${share}/scenes)
 # the one place.
 set(packages lib/python3/dist-packages)
 set(metadata photic-${PROJECT_VERSION}.dist-info)
-install(DIRECTORY python/photic DESTINATION ${packages} FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)
+install(DIRECTORY python/photic DESTINATION ${packages}
+        FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+# By the module the package simulates, with the data and the starters' files beside it.
+if(TARGET photic_python)
+  install(TARGETS photic_python LIBRARY DESTINATION ${packages}/photic)
+endif()
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/linked/package)
+foreach(folder data scenes)
+  file(CREATE_LINK ../../../../${share}/${folder} ${PROJECT_BINARY_DIR}/linked/package/${folder} SYMBOLIC)
+  install(FILES ${PROJECT_BINARY_DIR}/linked/package/${folder} DESTINATION ${packages}/photic)
+endforeach()
 configure_file(cmake/METADATA.in ${PROJECT_BINARY_DIR}/${metadata}/METADATA @ONLY)
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${metadata}/INSTALLER CONTENT "cmake\n")
 install(DIRECTORY ${PROJECT_BINARY_DIR}/${metadata} DESTINATION ${packages})

@@ -20,6 +20,11 @@ results netCDF files; the Python package photic runs, reads and draws them.")
 # The libraries of the program by dpkg-shlibdeps. `import photic` must work where the package is; only drawing needs matplotlib.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3, python3-netcdf4, python3-numpy, python3-xarray")
+if(TARGET photic_python)  # which is for one version of Python
+  get_target_property(version photic_python PHOTIC_PYTHON_VERSION)
+  math(EXPR next "${version} + 1")
+  string(PREPEND CPACK_DEBIAN_PACKAGE_DEPENDS "python3 (>= 3.${version}), python3 (<< 3.${next}), ")
+endif()
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-matplotlib")
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 # They compile the Python package where it is installed, and take away what was compiled.

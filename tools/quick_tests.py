@@ -13,7 +13,7 @@ from check_include_order import FLOORS, INCLUDE
 
 ROOT = Path(__file__).resolve().parent.parent
 KINDS = ["statistical", "analytic", "validation", "cli", "python"]  # in tests/, besides unit
-PROGRAMS = {"cli": ["photic"], "python": ["photic", "make_sample_result"]}
+PROGRAMS = {"cli": ["photic", "photic_python"], "python": ["photic", "photic_python", "make_sample_result"]}
 
 
 def changed_files() -> list[str]:

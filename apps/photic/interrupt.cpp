@@ -6,8 +6,10 @@ namespace photic::app {
 namespace {
 
 // A signal handler has no other way to reach the program; only this file writes them.
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<bool> flag{false};
 std::atomic<int> signal_number{0};
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
               "only lock-free atomics may be written by a signal handler");
 

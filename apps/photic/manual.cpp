@@ -98,7 +98,6 @@ const std::vector<Variable>& variables() {
   static const std::vector<Variable> all{
       {"PHOTIC_DATA", "a folder of data tables in place of Photic's own"},
       {"PHOTIC_PYTHON", "the Python that draws plots, in place of the system's"},
-      {"PHOTIC_PROGRAM", "the program that the Python package runs"},
       {"NO_COLOR", "if it is set, nothing is coloured"}};
   return all;
 }

@@ -95,7 +95,7 @@ session::ResultFile result_file(const RunCommand& command) {
 }  // namespace
 
 int run(const RunCommand& command) {
-  const session::Context context = app::context();
+  const session::Context& context = app::context();
   scene::Reading reading = read_scene_of(context, command);
   for (const std::string& remark : reading.remarks) print_warning(remark + '\n');
   const session::ResultFile file = result_file(command);

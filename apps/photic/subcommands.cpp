@@ -75,7 +75,8 @@ void add_ends(CLI::App& sub, std::vector<scene::Override>& values) {
   add_scene_value(sub, values, "--photons", "N", "simulation.photons",
                   "Stop after N photons (1e7 is accepted)", session::photons_value);
   add_scene_value(sub, values, "--target", "SHARE", "simulation.target_relative_error",
-                  "Stop when every gate is converged below this relative error (1%)", session::share_value);
+                  "Stop when every gate is converged below this relative error (1%)",
+                  session::share_value);
   add_scene_value(sub, values, "--max-time", "TIME", "simulation.max_time_s",
                   "Stop after this time (60s, 10min, 2h)", session::seconds_value);
 }

@@ -3,6 +3,7 @@
 import functools
 import json
 import math
+import os
 import subprocess
 import warnings
 
@@ -15,13 +16,13 @@ from matplotlib.ticker import LogLocator
 
 import photic
 from photic import panels, plot
-from photic.program import find_program
 
 ELASTIC, RAMAN, CHLOROPHYLL = panels.COLOURS[:3]
 ORANGE, BLUE = panels.COLOURS[1:3]
 LARGEST_ERROR = 0.10  # above it a gate is flagged large_error: src/tally/result.cpp
 
 
+PROGRAM = os.environ.get("PHOTIC_PROGRAM", SCENES.parent / "build/release/apps/photic/photic")
 SHIP = 5e5  # photons of the runs that two pictures share
 
 
@@ -360,7 +361,7 @@ def waves():
 def _emission(scene):
     """The layers' upper edges [m]; in each the ratio of chlorophyll's light to Raman light emitted;
     and by how much pure water absorbs the first more than the second [1/m]."""
-    line = [find_program(), "optics", str(scene), "--json"]
+    line = [PROGRAM, "optics", str(scene), "--json"]
     shown = json.loads(subprocess.run(line, check=True, capture_output=True, text=True).stdout)
     emitted = []
     for layer in shown["layers"]:

@@ -39,8 +39,8 @@ class Arrays : public io::Dataset {
         shape.push_back(static_cast<py::ssize_t>(size_.at(name)));
       }
       const auto as_array = [&shape](auto& column) { return array_of(std::move(column), shape); };
-      variables[text_of(one.name)] = py::make_tuple(
-          dimensions, std::visit(as_array, one.column), attributes_of(one.attributes));
+      variables[text_of(one.name)] = py::make_tuple(dimensions, std::visit(as_array, one.column),
+                                                    attributes_of(one.attributes));
     }
     py::dict out;
     out["attributes"] = attributes_of(globals_);
@@ -49,9 +49,9 @@ class Arrays : public io::Dataset {
   }
 
  private:
-  using Column = std::variant<std::vector<double>, std::vector<float>, std::vector<std::int32_t>,
-                              std::vector<std::int8_t>, std::vector<std::uint64_t>,
-                              std::vector<std::string>>;
+  using Column =
+      std::variant<std::vector<double>, std::vector<float>, std::vector<std::int32_t>,
+                   std::vector<std::int8_t>, std::vector<std::uint64_t>, std::vector<std::string>>;
   struct Variable {
     std::string name;
     std::vector<std::string> dimensions;

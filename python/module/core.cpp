@@ -13,6 +13,7 @@
 #include "documents.hpp"
 #include "errors.hpp"
 #include "gil.hpp"
+#include "io/atomic_file.hpp"
 #include "io/netcdf_lock.hpp"
 #include "runs.hpp"
 #include "scene/read.hpp"
@@ -60,9 +61,23 @@ void expect_isa(const std::string& isa) {
   throw std::invalid_argument("'" + isa + "' is no instruction set (choose from " + names + ")");
 }
 
+constexpr const char* progress_text =
+    R"(How far a run is, as of its last batch end.
+
+phase            "preparing" the model, "choosing" an estimator by pilot runs, "running" or "ended"
+pilots_done, pilots  pilot runs, and those known so far
+photons          so many, of which photons_before from an earlier run that this one goes on from
+photons_asked    None if they are no limit
+elapsed_s        [s] since the first batch began; max_time_s: its limit, or None
+gates_converged, gates  those of all telescopes and channels that light can reach
+worst_error      the largest relative standard error of these; target: its aim, or None
+line(width)      all of it in so many columns, as the program draws it
+
+Source: photic.Scene.start, and `progress` of photic.Scene.run.)";
+
 void add_progress(py::module_& m) {
   using run::Progress;
-  py::class_<Progress>(m, "Progress")
+  py::class_<Progress>(m, "Progress", progress_text)
       .def_property_readonly("phase", [](const Progress& p) { return phase_name(p.phase); })
       .def_readonly("pilots_done", &Progress::pilots_done)
       .def_readonly("pilots", &Progress::pilots)
@@ -134,18 +149,18 @@ void add_runs(py::module_& m) {
       .def(py::init<std::string, std::string, bool, std::optional<double>>(), py::arg("path"),
            py::arg("scene_file"), py::arg("force"), py::arg("checkpoint_s"));
   py::class_<Run>(m, "Run")
-      .def(py::init([](const session::Context& context, const Document& document, int threads,
-                       const std::string& engine, const std::string& isa,
-                       const std::string& earlier, const std::string& command,
-                       const std::optional<Output>& output) {
-             expect_isa(isa);
-             return std::make_unique<Run>(
-                 context, document,
-                 session::RunRequest{threads, engine, isa, earlier, command}, output);
-           }),
-           py::arg("context"), py::arg("document"), py::kw_only(), py::arg("threads"),
-           py::arg("engine"), py::arg("isa"), py::arg("earlier"), py::arg("command"),
-           py::arg("output"))
+      .def(
+          py::init([](const session::Context& context, const Document& document, int threads,
+                      const std::string& engine, const std::string& isa, const std::string& earlier,
+                      const std::string& command, const std::optional<Output>& output) {
+            expect_isa(isa);
+            return std::make_unique<Run>(
+                context, document, session::RunRequest{threads, engine, isa, earlier, command},
+                output);
+          }),
+          py::arg("context"), py::arg("document"), py::kw_only(), py::arg("threads"),
+          py::arg("engine"), py::arg("isa"), py::arg("earlier"), py::arg("command"),
+          py::arg("output"))
       .def("stop", &Run::stop)
       .def("progress", &Run::progress)
       .def("end", &Run::end)
@@ -172,6 +187,12 @@ void add_texts(py::module_& m) {
   m.def("share_value", &session::share_value, py::arg("text"));
   m.def("seconds_value", &session::seconds_value, py::arg("text"));
   m.def("seed_value", &session::seed_value, py::arg("text"));
+  m.def(
+      "write_file",
+      [](const std::string& path, const std::string& text) {
+        without_gil([&] { io::write_atomically(path, text); });
+      },
+      py::arg("path"), py::arg("text"));
   py::class_<NetcdfLock>(m, "NetcdfLock").def(py::init()).def("release", &NetcdfLock::release);
   m.attr("version") = PHOTIC_VERSION;
 }

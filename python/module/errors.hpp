@@ -34,9 +34,13 @@ inline void translate(std::exception_ptr failure) {
   } catch (const EnvironmentError& error) {
     set_error("Error", py::make_tuple(text_of(error.what()), failed));
   } catch (const std::bad_alloc&) {
-    set_error("Error", py::make_tuple("not enough memory (fewer gates, orders or telescopes need less)", failed));
+    set_error(
+        "Error",
+        py::make_tuple("not enough memory (fewer gates, orders or telescopes need less)", failed));
   } catch (const ContractViolation& error) {
-    set_error("Error", py::make_tuple(text_of(std::string("this is a bug, please report it: ") + error.what()), failed));
+    set_error("Error", py::make_tuple(
+                           text_of(std::string("this is a bug, please report it: ") + error.what()),
+                           failed));
   }
 }
 

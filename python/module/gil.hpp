@@ -36,8 +36,8 @@ std::invoke_result_t<Call> without_gil(Call call) {
 
 /// A text of Photic's, in which names of files may be no UTF-8.
 inline py::str text_of(const std::string& text) {
-  PyObject* made = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()),
-                                        "surrogateescape");
+  PyObject* made =
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape");
   if (made == nullptr) throw py::error_already_set();
   return py::reinterpret_steal<py::str>(made);
 }

@@ -106,11 +106,10 @@ class RunAtWork {
   /// Throws UsageError where the result would replace what it is made of.
   static session::ResultFile file_of(const scene::Reading& reading, const Output& output,
                                      const std::string& earlier) {
-    session::ResultFile file{
-        .path = session::result_path(output.path, output.scene_file, earlier),
-        .scene_file = output.scene_file,
-        .force = output.force,
-        .checkpoint_s = output.checkpoint_s};
+    session::ResultFile file{.path = session::result_path(output.path, output.scene_file, earlier),
+                             .scene_file = output.scene_file,
+                             .force = output.force,
+                             .checkpoint_s = output.checkpoint_s};
     session::spare(reading.files, file.path);
     return file;
   }
@@ -130,8 +129,8 @@ class RunAtWork {
 
   /// The call that goes on from a result.
   static std::string go_on(const std::string& earlier, const std::string& output) {
-    return "scene.run(continue_from=" + scene::quoted(earlier) + ", output=" +
-           scene::quoted(output) + ")";
+    return "scene.run(continue_from=" + scene::quoted(earlier) +
+           ", output=" + scene::quoted(output) + ")";
   }
 
   std::atomic<bool> has_ended_ = false;
@@ -143,8 +142,8 @@ class RunAtWork {
 /// What Python holds. Whatever becomes of it, the run stops and is waited for.
 class Run {
  public:
-  Run(const session::Context& context, const Document& document,
-      const session::RunRequest& request, const std::optional<Output>& output)
+  Run(const session::Context& context, const Document& document, const session::RunRequest& request,
+      const std::optional<Output>& output)
       : work_(without_gil([&] {
           return std::make_unique<RunAtWork>(context, document.now(), request, output);
         })) {}
@@ -153,7 +152,7 @@ class Run {
   ~Run() {
     if (::getpid() != process_)
       static_cast<void>(work_.release());  // a fork has none of its threads
-    else if (!work_->has_ended())  // or a daemon thread would unwind in here (without_gil)
+    else if (!work_->has_ended())          // or a daemon thread would unwind in here (without_gil)
       without_gil([this] { work_.reset(); });
   }
 
@@ -162,8 +161,8 @@ class Run {
 
   /// Returns whether the run has ended within so many milliseconds; raises what a signal raises.
   bool wait(int milliseconds) {
-    const bool ended = without_gil(
-        [&] { return work_->run().wait_for(std::chrono::milliseconds(milliseconds)); });
+    const bool ended =
+        without_gil([&] { return work_->run().wait_for(std::chrono::milliseconds(milliseconds)); });
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     return ended;
   }

@@ -23,7 +23,7 @@ try:
 except ImportError as error:
     _problem = error
 _lock = threading.Lock()
-_context: Any = None
+_context: compiled.Context | None = None
 
 
 VERSION = _compiled.version if _problem is None else "unknown"
@@ -50,5 +50,6 @@ def context() -> compiled.Context:
     global _context
     with _lock:
         if _context is None:
-            _context = core().Context(DATA)
+            made: compiled.Context = core().Context(DATA)
+            _context = made
         return _context

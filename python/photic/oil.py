@@ -1,5 +1,9 @@
 """The thickness of a film of oil, from the light that it takes from the water's Raman echo."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy
 import xarray
 
@@ -18,8 +22,14 @@ WITHOUT_FILM = "run the same scene with oil.thickness_um = 0"
 
 
 def oil_thickness(
-    result, clean, *, channel="raman", formula="interfaces", ratio=None, ratio_error=None
-):
+    result: xarray.Dataset,
+    clean: str | xarray.Dataset,
+    *,
+    channel: str = "raman",
+    formula: str = "interfaces",
+    ratio: Any = None,
+    ratio_error: Any = None,
+) -> xarray.Dataset:
     """The thickness of a film found from Raman echoes, as an xarray.Dataset: of the run's film, or of
     one over which a ratio of echoes was measured.
 

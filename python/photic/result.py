@@ -1,7 +1,10 @@
 """Reading result files."""
 
+from __future__ import annotations
+
 import os
 import tomllib
+from typing import Any
 
 import xarray
 from xarray.backends.netCDF4_ import NETCDF4_PYTHON_LOCK
@@ -12,7 +15,7 @@ from photic.locks import netcdf_lock
 FORMAT = 3  # the newest layout this package reads
 
 
-def open(path):
+def open(path: str | os.PathLike[str]) -> xarray.Dataset:
     """Returns the result in a netCDF file as an xarray.Dataset, in memory; the file is closed again.
 
     Dimensions: telescope, channel and process (indexed by name), order (0, 1, … and above), gate,
@@ -49,7 +52,9 @@ def open(path):
     emit nothing. Spectra of an oil and transmittances have only the dimension wavelength;
     photic_content is then "spectra".
 
-    Raises photic.Error if there is no such file or it was not written by Photic.
+    Any number of threads may call it, beside runs of this package, too; photic.netcdf_lock is for others.
+    Raises photic.Error if there is no such file or it was not written by Photic. Source: docs/guide.md,
+    "Results".
     """
     path = os.fspath(path)
     dataset = _load(path)
@@ -70,7 +75,7 @@ def open(path):
         raise Error(f"{path}: a result of Photic that lacks {error}") from error
 
 
-def of_arrays(arrays):
+def of_arrays(arrays: dict[str, Any]) -> xarray.Dataset:
     """The result in arrays of the module _core: the same as photic.open of its file."""
     dataset = xarray.Dataset(arrays["variables"], attrs=arrays["attributes"])
     return _named(xarray.decode_cf(dataset, decode_timedelta=False).load())

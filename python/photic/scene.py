@@ -30,7 +30,7 @@ class Scene:
         scene.update({"gates.depth_max_m": 30, "gates.depth_step_m": 0.5})
         echo = scene.run(target=0.01)
 
-    Keys, units and ranges are those of scene files (the guide, "Scene files"). A scene is checked as a
+    Keys, units and ranges are those of scene files (the guide, "The scene file"). A scene is checked as a
     whole when it is made and at each change, and a change that is refused leaves it as it was.
     Values are numbers, texts, true or false, lists and dicts of these, arrays of numpy or xarray. Files
     that a scene names are sought from the folder of its file; without one, from the current folder.
@@ -103,16 +103,13 @@ class Scene:
         return str(self._document.toml())
 
     def save(self, path: File) -> None:
-        """Writes the scene as TOML, in the place of what is there. Raises photic.SceneError if it would be
-        none there, since files that it names are elsewhere; photic.Error if it cannot be written."""
+        """Writes the scene as TOML, whole or not at all, in the place of what is there. Raises
+        photic.SceneError if it would be none there, since files that it names are elsewhere;
+        photic.Error if it cannot be written."""
         text = self.toml()
         name = file_name("path", path)
         core().Document.of_text(context(), text, name, os.path.dirname(name), {})
-        try:
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(text)
-        except OSError as error:
-            raise Error(f"{os.fsdecode(name)}: cannot be written: {error.strerror}", exit_code=1) from error
+        core().write_file(name, text)
 
     def copy(self) -> Scene:
         """Another scene of the same values."""

@@ -53,7 +53,7 @@ def _quantity(name: str, value: Any) -> str:
     is_time = name not in readers
     text = f"{value}s" if is_time and not isinstance(value, str) else str(value)
     try:
-        return getattr(core(), readers.get(name, "seconds_value"))(text)
+        return str(getattr(core(), readers.get(name, "seconds_value"))(text))
     except ValueError as error:
         raise Error(f"{name}: {error}") from None
 
@@ -101,7 +101,7 @@ def start(
             document,
             threads=int(threads or 0),
             engine=engine or "",
-            isa=isa or "",
+            isa="" if isa is None else str(isa),
             earlier=b"" if continue_from is None else file_name("continue_from", continue_from),
             command=command,
             output=_output(output, scene_file, force, checkpoint),
@@ -199,8 +199,8 @@ class Run:
     Python, or of the last name for it: then it ends within a fraction of a second.
     """
 
-    def __init__(self, work: Any) -> None:
-        self._work: Any = work
+    def __init__(self, work: compiled.Run) -> None:
+        self._work: compiled.Run | None = work
         self._last: compiled.Progress = work.progress()
         self._result: xarray.Dataset | None = None
         self._path = ""
@@ -208,6 +208,8 @@ class Run:
         self._watched = False  # a thread waits for its end
         self._lock = threading.Lock()
         _at_work.add(self)
+        if _python_ends:  # and a daemon thread does not know
+            self.end()
         self._warn(work, _Silent())
 
     def __enter__(self) -> Run:
@@ -277,7 +279,7 @@ class Run:
             if ended:
                 return
 
-    def _warn(self, work: Any, watcher: _Silent) -> None:
+    def _warn(self, work: compiled.Run, watcher: _Silent) -> None:
         for line in work.lines():
             watcher.wipe()
             warn(line)
@@ -333,10 +335,15 @@ class Run:
 _at_work: weakref.WeakSet[Run] = weakref.WeakSet()
 
 
+_python_ends = False
+
+
 @atexit.register
 def _end_all() -> None:
+    global _python_ends
     if os.getpid() != PROCESS:
         return  # a fork has none of the threads
+    _python_ends = True
     runs = list(_at_work)
     for run in runs:
         run.stop()

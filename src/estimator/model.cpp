@@ -13,6 +13,7 @@
 #include "core/stop.hpp"
 #include "estimator/focus.hpp"
 #include "estimator/nested_views.hpp"
+#include "estimator/origin.hpp"
 #include "estimator/random_blocks.hpp"
 #include "estimator/round_earth.hpp"
 #include "estimator/strategies.hpp"

@@ -97,8 +97,7 @@ std::vector<Variation> variations_of(const scene::Scene& scene, const LayerCoeff
 }  // namespace
 
 void add_environments(const scene::Scene& scene, const optics::Library& library,
-                      const PhaseNumbers& number_of, Medium& medium,
-                      const std::stop_token& stop) {
+                      const PhaseNumbers& number_of, Medium& medium, const std::stop_token& stop) {
   if (!scene.has_environments()) return;
   const LayerCoefficients reference = waters_of("", scene, library, number_of, medium, stop);
   const auto variations = variations_of(scene, reference, library, number_of, medium, stop);

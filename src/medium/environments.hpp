@@ -16,8 +16,7 @@ namespace photic::medium {
 /// finished. Throws InputError where light goes ways in an environment that it never goes in the
 /// scene.
 void add_environments(const scene::Scene& scene, const optics::Library& library,
-                      const PhaseNumbers& number_of, Medium& medium,
-                      const std::stop_token& stop);
+                      const PhaseNumbers& number_of, Medium& medium, const std::stop_token& stop);
 
 /// Adds what add_environments refuses to the findings, if the environments' water is known.
 void check_environments(const scene::Scene& scene, const optics::Library& library,

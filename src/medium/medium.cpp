@@ -6,7 +6,6 @@
 #include <numeric>
 #include <ranges>
 #include <span>
-#include <utility>
 
 #include "core/error.hpp"
 
@@ -43,21 +42,24 @@ constexpr std::size_t phase_lines = std::size_t{PhaseView::lines} * PhaseView::l
 
 }  // namespace
 
-std::int32_t Medium::add_phase(std::shared_ptr<const optics::PhaseTable> table) {
+std::int32_t Medium::add_phase(const std::shared_ptr<const optics::PhaseTable>& table) {
+  const auto is_table = [&](const std::weak_ptr<const optics::PhaseTable>& known) {
+    return !known.owner_before(table) && !table.owner_before(known);
+  };
+  const auto same = std::ranges::find_if(phases_, is_table);
+  if (same != phases_.end()) return static_cast<std::int32_t>(same - phases_.begin());
   const PhaseView v = table->view();
   const std::span lines{v.line.exact, phase_lines};
-  const auto is_table = [&](const std::shared_ptr<const optics::PhaseTable>& there) {
-    return there == table ||
-           std::ranges::equal(lines, std::span{there->view().line.exact, phase_lines});
-  };
-  const auto known = std::ranges::find_if(phases_, is_table);
-  const auto number = static_cast<std::int32_t>(known - phases_.begin());
-  if (known != phases_.end()) return number;
-  phases_.push_back(std::move(table));
+  const auto there = phase_lines_.numbers();
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    if (std::ranges::equal(lines, there.subspan(i * phase_lines, phase_lines)))
+      return static_cast<std::int32_t>(i);
+  }
+  phases_.emplace_back(table);
   phase_lines_.append(lines);
   phase_quantiles_.append(std::span{v.quantile.exact, phase_quantiles});
   phase_cores_.append(std::span{v.core_per_u.exact, 1});
-  return number;
+  return phase_count() - 1;
 }
 
 std::int32_t Medium::phase_count() const { return static_cast<std::int32_t>(phases_.size()); }

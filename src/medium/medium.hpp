@@ -119,9 +119,10 @@ class Medium {
   Absorbers absorbers;           ///< of the source's light
 
   /// Adds a phase function, or finds the equal one that is there already; returns its number.
-  std::int32_t add_phase(std::shared_ptr<const optics::PhaseTable> table);
-  /// Those that were added, in the order of their numbers.
-  [[nodiscard]] const std::vector<std::shared_ptr<const optics::PhaseTable>>& phases() const {
+  std::int32_t add_phase(const std::shared_ptr<const optics::PhaseTable>& table);
+  /// The tables that were added, in the order of their numbers. The medium has copies of them, and
+  /// does not keep them.
+  [[nodiscard]] const std::vector<std::weak_ptr<const optics::PhaseTable>>& phases() const {
     return phases_;
   }
 
@@ -200,7 +201,7 @@ class Medium {
   Layering by_depth_;
   RowTables row_;
   std::int32_t bands_ = 0, film_band_ = -1;
-  std::vector<std::shared_ptr<const optics::PhaseTable>> phases_;
+  std::vector<std::weak_ptr<const optics::PhaseTable>> phases_;
   TwinTable phase_lines_, phase_quantiles_,
       phase_cores_;  ///< of all phase functions, one behind the other
 };

@@ -26,8 +26,7 @@ void check_scattering(const scene::Scene& scene, const Air& here, const OtherAir
 }
 
 /// The coefficients of the air as a medium, whose phase functions go into it.
-LayerCoefficients coefficients_of(const Air& air, Medium& medium,
-                                  const std::stop_token& stop) {
+LayerCoefficients coefficients_of(const Air& air, Medium& medium, const std::stop_token& stop) {
   LayerCoefficients out;
   const std::size_t layers = air.layers();
   const bool vacuum = static_cast<std::size_t>(medium.layers()) > layers;

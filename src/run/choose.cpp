@@ -194,7 +194,9 @@ estimator::Model model_to_run(const scene::Scene& scene, const optics::Library& 
                               const RunOptions& options) {
   estimator::Model model = estimator::make_model(scene, library, options.stop());
   const scene::Simulation chosen = choose_estimator(scene, model, options);
-  return chosen == scene.simulation ? model : estimator::with_simulation(std::move(model), chosen, options.stop());
+  return chosen == scene.simulation
+             ? model
+             : estimator::with_simulation(std::move(model), chosen, options.stop());
 }
 
 }  // namespace photic::run

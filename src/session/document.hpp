@@ -23,8 +23,7 @@ struct Change {
 class Document {
  public:
   /// `changes` are made before anything is checked.
-  Document(const Context& context, const SceneText& scene,
-           const std::vector<Change>& changes = {});
+  Document(const Context& context, const SceneText& scene, const std::vector<Change>& changes = {});
   /// A tree of values without places, which are named by their paths in messages. `folder`: of the
   /// files that it names.
   Document(const Context& context, scene::Node values, std::string folder,

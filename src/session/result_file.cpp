@@ -42,7 +42,7 @@ bool is_folder(const std::string& output) {
 std::string result_path(const std::string& output, const std::string& scene_file,
                         const std::string& earlier) {
   const std::string named_after = scene_file.empty() ? without_checkpoint(earlier) : scene_file;
-  const std::string name = fs::path(named_after).filename().replace_extension(".nc").string();
+  std::string name = fs::path(named_after).filename().replace_extension(".nc").string();
   if (output.empty()) return name;
   if (is_folder(output)) {
     make_folder(output);

@@ -36,15 +36,24 @@ def test_the_program_works_wherever_it_was_put_and_reads_its_own_data(prefix, sc
     assert str(moved) in done.stderr
 
 
-def test_the_package_runs_the_program(prefix, scene, call):
+def test_the_package_simulates_wherever_it_was_put_with_the_data_beside_it(prefix, scene, tmp_path, call):
+    # Seen red: with the links to data and scenes left out.
     script = (
         "import photic, sys\n"
-        f"assert photic.__file__.startswith({str(prefix)!r}), photic.__file__\n"
+        f"assert photic.__file__.startswith(sys.argv[1]), photic.__file__\n"
         f"result = photic.run({str(scene)!r}, set={{'simulation.seed': 4}})\n"
         "assert result.echo.sel(channel='raman').sum() > 0\n"
+        "assert photic.Scene.new('argo')['sea.temperature_c'] > 0\n"
     )
-    done = call(sys.executable, "-c", script, PYTHONPATH=str(prefix / PACKAGES))
+    done = call(sys.executable, "-c", script, str(prefix), PYTHONPATH=str(prefix / PACKAGES))
     assert done.returncode == 0, done.stderr
+    moved = tmp_path / "moved"
+    shutil.copytree(prefix, moved, symlinks=True)
+    for table in (moved / "share/photic/data").glob("*.csv"):
+        table.write_text("spoilt")
+    done = call(sys.executable, "-c", script, str(moved), PYTHONPATH=str(moved / PACKAGES))
+    assert done.returncode == 1
+    assert f"photic.errors.Error: a data table of Photic is missing or damaged: {moved}" in done.stderr
 
 
 def test_editors_find_the_schema(prefix, tmp_path, call):
@@ -76,6 +85,8 @@ def test_the_program_draws_with_the_package_beside_it(prefix, scene, tmp_path, c
 def test_python_and_the_program_know_one_version(prefix, call):
     # Seen red: with another number in METADATA.in, and in CITATION.cff.
     version = call("photic", "--version").stdout.split()[1]
+    ask = "import photic; print(photic.__version__)"
+    assert call(sys.executable, "-c", ask, PYTHONPATH=str(prefix / PACKAGES)).stdout.strip() == version
     [package] = importlib.metadata.distributions(path=[str(prefix / PACKAGES)])
     assert (package.metadata["Name"], package.version) == ("photic", version)
     assert re.search(r"^version: (.+)$", (SOURCE / "CITATION.cff").read_text(), re.MULTILINE)[1] == version

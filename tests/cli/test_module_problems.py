@@ -200,7 +200,7 @@ def test_files_and_starters(tmp_path, monkeypatch):
     quick["gates.depth_max_m"] = 12.0
     quick.save(tmp_path / "quick.toml")
     assert package.Scene.load(tmp_path / "quick.toml")["gates.depth_max_m"] == 12.0
-    with pytest.raises(package.Error, match="cannot be written") as error:
+    with pytest.raises(package.Error, match="cannot write the file") as error:
         quick.save(tmp_path / "none" / "quick.toml")
     assert error.value.exit_code == 1
 

@@ -30,7 +30,7 @@ def of_program(program, scene, path, *flags):
     return package.open(path)
 
 
-# Seen red: with the attributes of type int in the place of numpy's, and without decode_cf.
+# Seen red: with attributes of Python's types in the place of numpy's, without decode_cf, with the encoding "coordinates".
 @pytest.mark.parametrize("kind", STARTERS)
 def test_starters(photic, tmp_path, kind):
     scene = package.Scene.new(kind)

@@ -55,7 +55,7 @@ def test_a_run_stopped_at_once_has_no_result():
     assert error.value.exit_code == 130
 
 
-# Seen red: with the destructor's wait left out, and with `with` not ending the run.
+# Seen red: with the destructor leaving the run alone, and with `with` not ending it.
 def test_whatever_lets_go_of_a_run_ends_its_threads(quick):
     before = threads_here()
     run = quick.start(photons=FOR_EVER)
@@ -63,7 +63,7 @@ def test_whatever_lets_go_of_a_run_ends_its_threads(quick):
     del run
     gc.collect()
     assert threads_here() == before
-    with quick.start(photons=FOR_EVER) as run:
+    with quick.start(photons=FOR_EVER):
         assert threads_here() > before
     time.sleep(0.05)
     assert threads_here() == before
@@ -150,6 +150,7 @@ WRONG = [
     ("threads", 1.5, "threads: 1.5 is not a whole number"),
     ("engine", "lane", r"engine: there is no 'lane' \(did you mean 'lanes'\?\)"),
     ("isa", "sse", r"isa: 'sse' is no instruction set \(choose from baseline, avx2, avx512\)"),
+    ("isa", 3, r"isa: '3' is no instruction set"),
     ("progress", 3, "progress: 3 is neither True nor False nor a function"),
     ("photon", 3, r"there is no keyword 'photon' \(did you mean 'photons'\?\)"),
     ("force", True, "force: the run has no output"),
@@ -183,7 +184,6 @@ def test_going_on_gives_what_one_run_gives(tmp_path):
     assert len(both.attrs["history"].splitlines()) == 2
 
 
-# Seen red: without the lock of the output's name.
 def test_two_runs_to_one_output(quick, tmp_path):
     with quick.start(photons=FOR_EVER, output=tmp_path / "a.nc") as run:
         with pytest.raises(package.Error, match="is at work on it") as error:
@@ -249,7 +249,7 @@ run.stop()
 """
 
 
-# Seen red: without the process of a run compared: the child waited for threads that it has not.
+# Seen red: without the refusal; with runs ended at the child's exit: it waited for threads that it does not have.
 def test_a_fork_refuses_runs_and_ends():
     done = subprocess.run([sys.executable, "-c", FORKED], capture_output=True, text=True, timeout=60, check=False)
     assert done.returncode == 0, done.stderr

@@ -12,6 +12,7 @@ from pathlib import Path
 import photic as package
 import pytest
 from conftest import QUICK_SCENE
+from photic.core import context, core
 
 pytestmark = pytest.mark.filterwarnings("ignore::UserWarning")  # so few photons leave warnings
 
@@ -74,7 +75,7 @@ with ThreadPoolExecutor(10) as pool:
 """
 
 
-# Seen red: without netcdf_lock in photic.open (a crash), and with HDF5's printing left on.
+# Seen red: without netcdf_lock in photic.open, with xarray's lock or without it.
 def test_ten_threads_run_write_and_open_at_once(tmp_path):
     (tmp_path / "scene.toml").write_text(QUICK_SCENE)
     done = subprocess.run(
@@ -128,6 +129,22 @@ def test_setting_a_value_costs_at_most_five_readings():
     text = scene.toml()
     reading = cpu_of(lambda: package.Scene(text))
     assert cpu_of(lambda: scene.__setitem__("sea.layer.0.chlorophyll_mg_m3", 0.5)) < 5 * reading
+
+
+# Against the compiled module alone, which hands over what the library has.
+def test_a_short_run_costs_little_more_than_the_librarys():
+    scene = package.Scene.new("ship")
+    document = scene._document.changed({"simulation.photons": 1000})
+    nothing = {"threads": 0, "engine": "", "isa": "", "earlier": b"", "command": "", "output": None}
+
+    def of_the_library():
+        run = core().Run(context(), document, **nothing)
+        while not run.wait(1000):
+            pass
+        run.finish()
+
+    alone = cpu_of(of_the_library)
+    assert cpu_of(lambda: scene.run(photons=1000)) < 1.3 * alone
 
 
 # The lock of Python is free while a scene is simulated. Seen red: with the wait made with the lock held.

@@ -4,10 +4,12 @@ import os
 import re
 import shutil
 import subprocess
+import sysconfig
 
 import pytest
 from conftest import environment_without_build
 
+SUFFIX = sysconfig.get_config_var("EXT_SUFFIX")
 PACKAGES = "usr/lib/python3/dist-packages"
 
 
@@ -63,6 +65,8 @@ def test_it_holds_files_at_debians_places_and_no_others(package):
         "usr/share/bash-completion/completions/photic", "usr/share/fish/vendor_completions.d/photic.fish",
         "usr/share/photic/data/water_mason_2016.csv", "usr/share/photic/scenes/ship.toml",
         "usr/share/doc/photic/copyright", "usr/share/doc/photic/docs/guide.md", f"{PACKAGES}/photic/__init__.py",
+        f"{PACKAGES}/photic/_core{SUFFIX}",
+        f"{PACKAGES}/photic/data", f"{PACKAGES}/photic/scenes", f"{PACKAGES}/photic/py.typed",
     }
     folders = (
         "usr/bin/photic", "usr/share/photic/", "usr/share/doc/photic/", "usr/share/man/man1/", f"{PACKAGES}/photic",
@@ -101,6 +105,9 @@ def test_python_finds_the_package_and_its_version(root, tmp_path, control):
         "import importlib.metadata, photic; print(photic.__file__, importlib.metadata.version('photic'))"
     )
     file, version = output_of("/usr/bin/python3", "-I", "-c", script, cwd=tmp_path).split()
+    # Seen red: without the module, and with a link that leads out of the root.
+    runs = script + "\nprint(photic.Scene.new('argo').run(photons=200).attrs['photons'], photic.__version__)"
+    assert output_of("/usr/bin/python3", "-I", "-W", "ignore", "-c", runs, cwd=tmp_path).split()[2:] == ["200", version]
     assert file == str(root / PACKAGES / "photic/__init__.py")
     assert version == control["Version"]
 

@@ -29,8 +29,8 @@ def test_folders_and_the_floors_that_include_them(folder, labels):
 
 
 def test_the_command_line_needs_the_program():
-    assert chosen("apps/photic/run.cpp").stdout == "tests/cli/all photic\n^(cli)$\n"
-    assert chosen("python/photic/plot.py").stdout == "tests/python/all photic make_sample_result\n^(python)$\n"
+    assert chosen("apps/photic/run.cpp").stdout == "tests/cli/all photic photic_python\n^(cli)$\n"
+    assert chosen("python/photic/plot.py").stdout == "tests/python/all photic photic_python make_sample_result\n^(python)$\n"
 
 
 def test_what_has_no_tests_is_refused():

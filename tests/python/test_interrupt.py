@@ -106,7 +106,12 @@ import photic
 scene = photic.Scene.load("scene.toml")
 kept = scene.start(photons=1e15, output="kept.nc")
 bare = scene.start(photons=1e15)
-threading.Thread(target=lambda: scene.run(photons=1e15), daemon=True).start()
+at_work = threading.Event()
+def watch(progress):
+    if progress.photons > 0:
+        at_work.set()
+threading.Thread(target=lambda: scene.run(photons=1e15, progress=watch), daemon=True).start()
+at_work.wait()
 print("ready", flush=True)
 {end}
 """

@@ -58,7 +58,7 @@ std::string dust_outright() {
     for (double angle = 0; angle < 180.1; angle += angle < 0.99 ? 0.05 : 0.5) {
       const double half = std::sin(angle * radian_per_degree / 2);
       angle_deg.push_back(std::min(angle, 180.0));
-      p.push_back(table.view().value(2 * half * half));
+      p.push_back(table->view().value(2 * half * half));
     }
     const std::size_t emitted = air.layers() + k;
     out += fmt::format(

@@ -30,7 +30,7 @@ EntryCone<double> cone_of(double half_angle) {
 // cells at the rim.
 TEST(AveragedPhases, IntegrateToOne) {
   for (const double half_angle : {4e-5, 3e-3, 0.015, 0.1, 0.8, 1.7}) {
-    const AveragedPhaseTables tables(sea, {cone_of(half_angle)});
+    const AveragedPhaseTables tables(sea, {cone_of(half_angle)}, {});
     const auto averaged = tables.view();
     for (const std::int32_t table : elastic_tables) {
       double sum = 0;
@@ -50,7 +50,7 @@ TEST(AveragedPhases, IntegrateToOne) {
 TEST(AveragedPhases, AreMeansOverTheCone) {
   constexpr int radii = 300, azimuths = 300;
   for (const double half_angle : {0.003, 0.1, 0.5}) {
-    const AveragedPhaseTables tables(sea, {EntryCone<double>{}, cone_of(half_angle)});
+    const AveragedPhaseTables tables(sea, {EntryCone<double>{}, cone_of(half_angle)}, {});
     const auto averaged = tables.view();
     EXPECT_EQ(averaged.value(0, 0.1, 0), 0) << "of parallel rays";
     for (const std::int32_t table : elastic_tables) {
@@ -79,7 +79,7 @@ TEST(AveragedPhases, AreMeansOverTheCone) {
 // Their rims are so small that differences along them are lost to rounding. Seen red: with cones as
 // narrow as they are.
 TEST(AveragedPhases, OfNarrowConesAreThePhaseFunctions) {
-  const AveragedPhaseTables tables(sea, {cone_of(1e-14)});
+  const AveragedPhaseTables tables(sea, {cone_of(1e-14)}, {});
   for (const std::int32_t table : elastic_tables)
     for (double x = 1e-10; x < 2; x *= 1.3) {
       const double p = sea.view().phases.value<double>(x, table);
@@ -89,7 +89,7 @@ TEST(AveragedPhases, OfNarrowConesAreThePhaseFunctions) {
 
 // Seen red: with the means of all tables.
 TEST(AveragedPhases, AreThoseOfElasticScattering) {
-  const AveragedPhaseTables tables(sea, {cone_of(0.1)});
+  const AveragedPhaseTables tables(sea, {cone_of(0.1)}, {});
   ASSERT_LT(elastic_tables.size(), sea.phase_count());
   for (std::int32_t table = 0; table < sea.phase_count(); ++table)
     EXPECT_EQ(tables.view().value(0, 0.1, table) > 0, elastic_tables.contains(table)) << table;

@@ -20,7 +20,7 @@ struct SeaOfWaves : Sea {
     };
     free_cones = cones(true);
     own_cones = cones(false);
-    averaged = {medium, free_cones};
+    averaged = {medium, free_cones, {}};
     world.walks.averaged = averaged.view();
     world.walks.deepest = medium.top.back();
     world.random.key = 5;

@@ -270,7 +270,7 @@ TEST(LanesOf, EntryRays) {
     }
   }
   const estimator::AveragedPhaseTables tables(
-      sea, {estimator::entry_cone(instrument::table_1(), sea, 40)});
+      sea, {estimator::entry_cone(instrument::table_1(), sea, 40)}, {});
   const auto averaged = tables.view();
   for (int g = 0; g < groups; ++g) {
     const auto x = four([&] { return random.scale(1e-12, 2); });

@@ -31,7 +31,7 @@ struct Sea {
     free_cones = {entry_cone(source, medium, 40), entry_cone(telescope, medium, 40, inner)};
     own_cones = {cone_of_own_rays(source, medium), cone_of_own_rays(telescope, medium, inner)};
     begin(true);
-    averaged = {medium, free_cones};
+    averaged = {medium, free_cones, {}};
     world.walks.averaged = averaged.view();
     world.instruments.path_to_origin = {path_to_origin(
         geometry::ahead_of(source.position_m, normalised(source.direction)), telescope, false)};

@@ -34,7 +34,7 @@ struct Simulated {
 
   void add_batch(std::uint64_t first, tally::Totals& totals) const {
     tally::BatchTally batch(model.shape, model.gates);
-    simulator->simulate(first, 2000, batch);
+    simulator->simulate(first, 2000, batch, {});
     batch.photons = 2000;
     totals.merge(batch);
   }

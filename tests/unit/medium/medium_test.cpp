@@ -23,7 +23,9 @@ TEST(Medium, KeepsEqualPhaseFunctionsOnce) {
   EXPECT_EQ(m.add_phase(table), 0);
   EXPECT_EQ(m.add_phase(of(0.9)), 0);
   EXPECT_EQ(m.add_phase(of(0.5)), 1);
-  const optics::PhaseTable &a = *m.phases()[0], &b = *m.phases()[1];
+  EXPECT_EQ(m.phases()[0].lock(), table);
+  EXPECT_TRUE(m.phases()[1].expired());
+  const optics::PhaseTable a(optics::henyey_greenstein(0.9)), b(optics::henyey_greenstein(0.5));
   m.top = {0, 1};
   for (const double x : {0.0, 1e-9, 0.01, 1.0, 2.0}) {
     EXPECT_EQ(m.view().phases.value<double>(x, 0), a.view().value<double>(x));

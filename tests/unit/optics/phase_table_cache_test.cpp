@@ -81,7 +81,9 @@ bool same(const PhaseShape& a, const PhaseShape& b) {
   return true;
 }
 
-// Seen red, each for itself: with keys that leave out a parameter of each maker.
+// Seen red, each for itself: with keys that leave out a parameter of each maker (two of Fournier's
+// and Forand's three, of which the third follows from the others), and with that of a tabulated
+// shape being the shape's own.
 TEST(PhaseKey, IsThatOfOneFunction) {
   Draw draw(1);
   std::map<PhaseKey, PhaseShape> known;
@@ -137,7 +139,7 @@ TEST(PhaseTableCache, DoesNotShareWhatNobodyKnows) {
 /// A shape that nothing else has, and whose table is quickly made.
 PhaseShape number(int i) { return henyey_greenstein(i * 1e-5); }
 
-// Seen red: with all kept; with those that somebody has made again.
+// Seen red, each for itself: with all kept; with none; with those that somebody has made again.
 TEST(PhaseTableCache, KeepsTheLastOnes) {
   const PhaseTableCache cache;
   constexpr int most = PhaseTableCache::most_kept;

@@ -83,7 +83,7 @@ void follow_light(scene::Estimator estimator, const estimator::World<T>& world, 
       estimator::Bidirectional<T, Ledger>(world, 1).run(first, photons, tally, [](const auto&) {});
       break;
     default:
-      typename Engine<T>::Histories(world).run(first, photons, tally, nullptr);
+      typename Engine<T>::Histories(world).run(first, photons, tally, nullptr, {});
   }
 }
 
