@@ -37,7 +37,6 @@ def test_the_program_works_wherever_it_was_put_and_reads_its_own_data(prefix, sc
 
 
 def test_the_package_simulates_wherever_it_was_put_with_the_data_beside_it(prefix, scene, tmp_path, call):
-    # Seen red: with the links to data and scenes left out.
     script = (
         "import photic, sys\n"
         f"assert photic.__file__.startswith(sys.argv[1]), photic.__file__\n"

@@ -36,6 +36,7 @@ def wait_until_it_listens(process):
         assert time.monotonic() < limit
         time.sleep(0.02)
     time.sleep(0.3)
+    time.sleep(1)  # until its first batches have ended: before, there is no result
 
 
 @pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])

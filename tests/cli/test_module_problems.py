@@ -62,7 +62,7 @@ def test_places_in_a_dict_are_paths():
     assert str(error.value).startswith("source.diameter_m: ")
 
 
-# Seen red: with the document changed before it is checked.
+# Seen red: with values that are set one after another.
 def test_a_change_that_is_refused_leaves_the_scene_as_it_was():
     scene = package.Scene(QUICK_SCENE)
     for change in [

@@ -105,7 +105,6 @@ def test_python_finds_the_package_and_its_version(root, tmp_path, control):
         "import importlib.metadata, photic; print(photic.__file__, importlib.metadata.version('photic'))"
     )
     file, version = output_of("/usr/bin/python3", "-I", "-c", script, cwd=tmp_path).split()
-    # Seen red: without the module, and with a link that leads out of the root.
     runs = script + "\nprint(photic.Scene.new('argo').run(photons=200).attrs['photons'], photic.__version__)"
     assert output_of("/usr/bin/python3", "-I", "-W", "ignore", "-c", runs, cwd=tmp_path).split()[2:] == ["200", version]
     assert file == str(root / PACKAGES / "photic/__init__.py")

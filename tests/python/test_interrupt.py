@@ -64,7 +64,7 @@ def caught(python):
 SO_FAR = "the run was ended after N photons; the result so far is in `partial` of this exception"
 
 
-# Seen red: without PyErr_CheckSignals and the time limit of a wait.
+# Seen red: with waits of hours.
 def test_ctrl_c_keeps_the_photons_so_far(start, tmp_path):
     python = start(CATCHING, "kept.nc")
     python.send_signal(signal.SIGINT)
