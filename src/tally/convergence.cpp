@@ -166,10 +166,20 @@ Unseen Totals::unseen(std::size_t cell) const {
   return of_kinds;
 }
 
-Unseen Totals::unseen_of(std::size_t cell, const Powers& scores) const {
+double Totals::fourth_powers(std::size_t cell) const {
+  const double largest = state_.largest[cell];
+  return largest > 0 ? tally::fourth_powers(octaves(cell), largest) : 0;
+}
+
+Totals::Whole Totals::whole(std::size_t cell, std::int32_t flags) const {
+  const double x = state_.echo[cell].low.x;
+  const Unseen unseen = this->unseen(cell);
+  return {flags, unseen, x > 0 ? unseen * (1 / x) : Unseen{}, fourth_powers(cell)};
+}
+
+Unseen Totals::unseen_of(const Whole& whole, const Powers& scores) {
   if (scores.fourth == 0) return {};
-  const double of_echo = fourth_powers(octaves(cell), state_.largest[cell]);
-  return unseen(cell) * std::pow(scores.fourth / of_echo, 0.25);
+  return whole.unseen * std::pow(scores.fourth / whole.fourth_powers, 0.25);
 }
 
 bool Totals::beam_missed(std::size_t cell) const {
@@ -225,10 +235,11 @@ bool Totals::tallies_converged(double relative_error) const {
   return true;
 }
 
-std::int32_t Totals::difference_flags(std::size_t cell, const EnvironmentSums& s) const {
+std::int32_t Totals::difference_flags(std::size_t cell, const Whole& whole,
+                                      const EnvironmentSums& s) const {
   const Sums& difference = s.difference.low;
   Health own;
-  own.raise(heavy(unseen_of(cell, s.of_differences).sum, error_of_sum(difference, counted(cell)),
+  own.raise(heavy(unseen_of(whole, s.of_differences).sum, error_of_sum(difference, counted(cell)),
                   difference.x),
             heavy_tail);
   own.raise(heavy(s.of_differences), heavy_tail);
@@ -237,12 +248,13 @@ std::int32_t Totals::difference_flags(std::size_t cell, const EnvironmentSums& s
   return own.flags;
 }
 
-std::int32_t Totals::environment_flags(std::size_t cell, const EnvironmentSums& s) const {
-  Health own = health_of(s.echo.low, counted(cell), unseen_of(cell, s.of_scores));
+std::int32_t Totals::environment_flags(std::size_t cell, const Whole& whole,
+                                       const EnvironmentSums& s) const {
+  Health own = health_of(s.echo.low, counted(cell), unseen_of(whole, s.of_scores));
   own.raise(heavy(s.of_scores), heavy_tail);
   own.raise(variance_of_variance(s.echo, counted(cell)) > largest_variance_of_variance,
             uncertain_variance);
-  return own.flags | difference_flags(cell, s);
+  return own.flags | difference_flags(cell, whole, s);
 }
 
 std::int32_t Totals::part_flags(const Sums& part, std::size_t cell, const Whole& whole,

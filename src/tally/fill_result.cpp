@@ -57,21 +57,23 @@ void Totals::estimate(const Sums& sums, std::size_t cell, const Unseen& unseen,
   out.standard_error.push_back(reported_error(sums, n, unseen));
 }
 
-void Totals::fill_environment(std::size_t environment, Result& result) const {
+void Totals::fill_environment(std::size_t environment, const std::vector<Whole>& wholes,
+                              Result& result) const {
   const std::size_t first = result.environment_convergence_flags.size();
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
     const EnvironmentSums& s = state_.environment[cell * shape_->environments + environment];
-    estimate(s.echo.low, cell, unseen_of(cell, s.of_scores), result.environment_echo);
-    estimate(s.difference.low, cell, unseen_of(cell, s.of_differences),
+    estimate(s.echo.low, cell, unseen_of(wholes[cell], s.of_scores), result.environment_echo);
+    estimate(s.difference.low, cell, unseen_of(wholes[cell], s.of_differences),
              result.environment_difference);
     result.environment_convergence_flags.push_back(
-        environment_flags(cell, s) |
+        environment_flags(cell, wholes[cell], s) |
         (result.convergence_flags[cell] & (heavy_tail | ConvergenceFlag::beam_missed)));
   }
   flag_among_flagged(first, shape_->gates, result.environment_convergence_flags);
 }
 
-void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result) const {
+void Totals::fill_sensitivity(std::size_t tangent, double value, const std::vector<Whole>& wholes,
+                              Result& result) const {
   const std::size_t first = result.sensitivity_convergence_flags.size();
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
     const EnvironmentSums& s = state_.environment[cell * shape_->environments + tangent];
@@ -79,7 +81,7 @@ void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result)
     const Counted n = counted(cell);
     const double echo = mean(scene, n);
     const double change = mean(s.difference.low, n);  // p d echo / d p
-    const Unseen unseen = unseen_of(cell, s.of_differences);
+    const Unseen unseen = unseen_of(wholes[cell], s.of_differences);
     result.sensitivity.mean.push_back(change / value);
     result.sensitivity.standard_error.push_back(reported_error(s.difference.low, n, unseen) /
                                                 std::abs(value));
@@ -90,7 +92,7 @@ void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result)
     logarithmic.standard_error.push_back(
         echo > 0 ? with_unseen(of_ratio, unseen.in_error / (n.photons * echo)) : nan);
     result.sensitivity_convergence_flags.push_back(result.convergence_flags[cell] |
-                                                   difference_flags(cell, s));
+                                                   difference_flags(cell, wholes[cell], s));
   }
   flag_among_flagged(first, shape_->gates, result.sensitivity_convergence_flags);
 }
@@ -140,10 +142,10 @@ void Totals::fill(Result& result) const {
   std::vector<Whole> wholes;
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
     const double x = state_.echo[cell].low.x;
-    estimate(state_.echo[cell].low, cell, unseen(cell), result.echo);
     const Health h = health(cell);
+    const Whole& whole = wholes.emplace_back(this->whole(cell, h.flags));
+    estimate(state_.echo[cell].low, cell, whole.unseen, result.echo);
     result.convergence_flags.push_back(h.flags);
-    wholes.push_back({h.flags, x > 0 ? unseen(cell) * (1 / x) : Unseen{}});
     result.variance_of_variance.push_back(h.variance_of_variance);
     result.error_growth.push_back(error_growth(cell));
     result.largest_score_share.push_back(x > 0 ? state_.largest[cell] / x : 0.0);
@@ -160,9 +162,9 @@ void Totals::fill(Result& result) const {
   const std::size_t parameters = result.parameter_value.size();
   expect(parameters <= shape_->environments, "every parameter has a tangent");
   const std::size_t environments = shape_->environments - parameters;
-  for (std::size_t e = 0; e < environments; ++e) fill_environment(e, result);
+  for (std::size_t e = 0; e < environments; ++e) fill_environment(e, wholes, result);
   for (std::size_t p = 0; p < parameters; ++p)
-    fill_sensitivity(environments + p, result.parameter_value[p], result);
+    fill_sensitivity(environments + p, result.parameter_value[p], wholes, result);
 
   const double per_photon = state_.photons > 0 ? 1.0 / static_cast<double>(state_.photons) : 0.0;
   result.ledger = state_.ledger * per_photon;

@@ -101,20 +101,27 @@ class Totals {
   [[nodiscard]] double scores_together(std::size_t cell) const;
   /// The unseen scores of all kinds; infinite sums if there are too few scores.
   [[nodiscard]] Unseen unseen(std::size_t cell) const;
-  /// The same of scores that go with those of the echo, in an environment or a difference.
-  [[nodiscard]] Unseen unseen_of(std::size_t cell, const Powers& scores) const;
+  /// The sum of the fourth powers of the scores of all kinds; 0 without any.
+  [[nodiscard]] double fourth_powers(std::size_t cell) const;
+  /// Properties of a gate that its parts and its environments share.
+  struct Whole {
+    std::int32_t flags = 0;
+    Unseen unseen;             ///< of the echo
+    Unseen unseen_share;       ///< over the echo, for its parts
+    double fourth_powers = 0;  ///< of its scores, for its environments
+  };
+  [[nodiscard]] Whole whole(std::size_t cell, std::int32_t flags) const;
+  /// The unseen ones of scores that go with those of the echo, in an environment or a difference.
+  [[nodiscard]] static Unseen unseen_of(const Whole& whole, const Powers& scores);
   [[nodiscard]] static Health health_of(const Sums& s, const Counted& n, const Unseen& unseen);
   /// Bits of ConvergenceFlag of an environment's echo and difference by themselves: a difference
   /// can have a heavier tail than either echo.
-  [[nodiscard]] std::int32_t environment_flags(std::size_t cell, const EnvironmentSums& s) const;
+  [[nodiscard]] std::int32_t environment_flags(std::size_t cell, const Whole& whole,
+                                               const EnvironmentSums& s) const;
   /// The bits of a difference alone, as tangents are: their echo is a line through the scene's, and
   /// no echo.
-  [[nodiscard]] std::int32_t difference_flags(std::size_t cell, const EnvironmentSums& s) const;
-  /// Properties of a gate that its orders and processes share.
-  struct Whole {
-    std::int32_t flags = 0;
-    Unseen unseen_share;  ///< of the echo, and so of its parts
-  };
+  [[nodiscard]] std::int32_t difference_flags(std::size_t cell, const Whole& whole,
+                                              const EnvironmentSums& s) const;
   /// Bits of ConvergenceFlag of a part. beside_walks: no walk carries its light.
   [[nodiscard]] std::int32_t part_flags(const Sums& part, std::size_t cell, const Whole& whole,
                                         bool beside_walks) const;
@@ -123,10 +130,12 @@ class Totals {
                   GridEstimates& out) const;
   void fill_profile(const ZeroedVector<Sums>& parts, const std::vector<Whole>& wholes,
                     GridEstimates& out) const;
-  void fill_environment(std::size_t environment, Result& result) const;
+  void fill_environment(std::size_t environment, const std::vector<Whole>& wholes,
+                        Result& result) const;
   /// Fills in the derivatives by a parameter, with its value in the scene; `tangent` counts from
   /// the first environment.
-  void fill_sensitivity(std::size_t tangent, double value, Result& result) const;
+  void fill_sensitivity(std::size_t tangent, double value, const std::vector<Whole>& wholes,
+                        Result& result) const;
   [[nodiscard]] bool beam_missed(std::size_t cell) const;
   /// The growth of the error times the root of the photons, over the last factor of four to eight
   /// in them.
