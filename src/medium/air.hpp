@@ -90,29 +90,4 @@ std::optional<Air> build_air(const scene::Scene& scene, const optics::Library& l
 /// The lines of `photic show` about the air.
 std::vector<std::string> reported_air(const scene::Scene& scene, const Air& air);
 
-// For the check of a scene, which asks for each by itself:
-
-/// The profile of a scene that has one, with its aerosols. Throws InputError where it is of no use.
-optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::AirLibrary& library);
-
-/// Remarks on levels of a scene that are possible, but more likely in another unit.
-std::vector<std::string> doubts_about_levels(const scene::Atmosphere& air);
-
-/// The part of it below the top of the air. Throws InputError if it does not reach it.
-optics::AirProfile profile_to_top(const scene::Atmosphere& air, const optics::AirProfile& whole);
-
-/// The profile below the top, with as much aerosol as the scene's optical depth has, if it gives
-/// one. Throws InputError where that cannot be.
-optics::AirProfile as_deep_as_given(const scene::Atmosphere& air, optics::AirProfile to_top);
-
-/// Optical depths by other gases than ozone, from the sea straight up to each rung. Throws
-/// InputError for wavelengths without data, and where it is less than up to a lower rung.
-std::vector<double> gas_depths(const scene::Atmosphere& air, double wavelength_nm);
-
-/// The choice of aerosols by altitude.
-optics::AerosolChoice aerosols_of(const scene::Atmosphere& air);
-
-/// A layer given outright as a layer of water, for LayerOptics.
-scene::Layer as_layer(const scene::AirLayer& layer);
-
 }  // namespace photic::medium

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "medium/air.hpp"
+#include "medium/air_profile.hpp"
 #include "medium/film.hpp"
 #include "medium/layer_optics.hpp"
 #include "medium/lines.hpp"

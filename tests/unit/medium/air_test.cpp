@@ -1,5 +1,6 @@
 // The air above the sea: its layers against closed forms and the profile they are made of.
 #include "medium/air.hpp"
+#include "medium/air_profile.hpp"
 
 #include <cmath>
 
