@@ -139,7 +139,7 @@ class RunAtWork {
   std::optional<session::KeptRun> kept_;
 };
 
-/// What Python holds. Whatever becomes of it, the run stops and is waited for.
+/// The handle that Python holds. The run stops and is waited for when it is gone.
 class Run {
  public:
   Run(const session::Context& context, const Document& document, const session::RunRequest& request,

@@ -8,7 +8,7 @@ import xarray
 
 
 class Error(Exception):
-    """Something that was asked for cannot be done; the message says what, where, and what to do.
+    """A request that cannot be met; the message gives the place, the reason and a remedy.
 
     exit_code  as of the program: 2 bad input, 1 failed environment (a file, memory), 130 a run that
                was stopped before it had a result

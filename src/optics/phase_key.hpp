@@ -1,4 +1,4 @@
-// What a phase function is, so that equal ones share a table.
+// The identity of a phase function, by which equal ones share a table.
 #pragma once
 
 #include <cstddef>

@@ -164,7 +164,7 @@ PhaseShape tabulated(const PhaseShape& shape) {
   for (int i = 0; i <= outer_cells; ++i) known.x.push_back(edge(i));
   PhaseShape out;
   out.core_mass = shape.core_mass;
-  // Where at_edges() takes lines for straight, p is theirs.
+  // p is that of the lines that at_edges() takes for straight.
   if (!shape.key.empty()) out.key = PhaseKey("tabulated").add(shape.key);
   out.p = [known = std::make_shared<const Known>(std::move(known))](double x) {
     const auto node = std::lower_bound(known->x.begin(), known->x.end(), x);

@@ -157,7 +157,7 @@ Prepared prepare(const scene::Scene& asked, const optics::Library& library,
   }
 }
 
-/// What a monitor makes results of. The run may have ended by then.
+/// A builder of results for a monitor, from a copy: the run may have ended by then.
 Monitor::Builder builder(const SharedModel& model, std::optional<BatchRunner::SoFar> so_far,
                          const std::optional<Isa>& lanes) {
   if (!so_far) return nullptr;

@@ -198,8 +198,8 @@ std::uint64_t collisions_after_stop(const std::string& estimator, const std::opt
   return tally.collisions;
 }
 
-// What is walked after a stop is one collision of the photons that are on their way together, or a
-// set of walks. Seen red, all of them: with engines that never look.
+// After a stop no more is walked than one collision of the photons that are on their way together,
+// or a set of walks. Seen red, all of them: with engines that never look.
 TEST(Stopped, EnginesWalkNoFurtherThanToTheNextLook) {
   for (const auto& lanes : {std::optional<Isa>{}, std::optional(Isa::baseline)}) {
     EXPECT_LE(collisions_after_stop("forward", lanes), lanes ? 256U : 1U);

@@ -92,8 +92,8 @@ TEST(Document, GivesUpValues) {
             0U);  // a scene needs one
 }
 
-// A scene of values is that of its text, and goes through a text. Seen red: with tables left out of
-// put_in_sections, where a header comes before a value.
+// A scene of values is that of its text, and goes through a text. Seen red: with values that are no
+// tables put under headers, too.
 TEST(Document, OfValuesIsThatOfTheirText) {
   for (const auto& [kind, summary] : scene::starter_kinds()) {
     SCOPED_TRACE(kind);

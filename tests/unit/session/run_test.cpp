@@ -45,8 +45,7 @@ void expect_same(const tally::Result& a, const tally::Result& b) {
 
 constexpr std::uint64_t long_run = 1'000'000'000;
 
-// Seen red: with a library that counts on one run at a time (a phase table freed by the first run
-// to end); with one monitor for all runs.
+// Seen red: with one monitor for all runs.
 TEST(Run, FourAtOnceAreAsFourInTurn) {
   const std::array<scene::Scene, 4> scenes{scene_of(6'000, 0.2), scene_of(5'000, 2),
                                            scene_of(1'000, 0.5, "bidirectional"),

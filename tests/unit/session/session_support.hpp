@@ -1,4 +1,4 @@
-// What tests of sessions share: the data tables, and scenes.
+// The data tables that tests of sessions share.
 #pragma once
 
 #include "session/context.hpp"
