@@ -30,6 +30,7 @@
 #include "medium/upside_down.hpp"
 #include "scene/environment_values.hpp"
 #include "scene/forward_settings.hpp"
+#include "scene/tally_memory.hpp"
 #include "scene/walk_settings.hpp"
 #include "transport/touched.hpp"
 
@@ -86,7 +87,9 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   shape.tallies = tally_grids(scene, medium, air);
   if (scene.simulation.estimator == scene::Estimator::bidirectional)
     shape.techniques = tally::kinds_of_technique;
-  shape.environments = scene.environment.size() + scene.sensitivity.size();
+  shape.keeps_groups = scene::keeps_groups(scene);
+  shape.tangents = scene.sensitivity.size();
+  shape.environments = scene.environment.size() + shape.tangents;
   shape.wider.resize(shape.telescopes);
   for (const NestedViews& views : nested_views(scene))
     for (std::size_t i = 1; i < views.size(); ++i) shape.wider[views[i - 1]] = views[i];

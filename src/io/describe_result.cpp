@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "io/dataset_axes.hpp"
@@ -30,6 +31,13 @@ Attributes dimensionless(const std::string& long_name, const std::string& more_c
 /// Single: far finer than any error bar, for what has many numbers.
 enum class Precision { full, single };
 
+/// The attributes of numbers in single precision.
+Attributes in_single(Attributes attributes) {
+  for (auto& [key, value] : attributes)
+    if (key == "_FillValue") value = std::numeric_limits<float>::quiet_NaN();
+  return attributes;
+}
+
 void add_numbers(Dataset& dataset, const std::string& name,
                  const std::vector<std::string>& dimensions, const ZeroedVector<double>& numbers,
                  const Attributes& attributes, Precision precision) {
@@ -38,10 +46,7 @@ void add_numbers(Dataset& dataset, const std::string& name,
   ZeroedVector<float> rounded;
   rounded.reserve(numbers.size());
   for (const double number : numbers) rounded.push_back(static_cast<float>(number));
-  Attributes in_single = attributes;
-  for (auto& [key, value] : in_single)
-    if (key == "_FillValue") value = std::numeric_limits<float>::quiet_NaN();
-  dataset.add_variable(name, dimensions, rounded, in_single);
+  dataset.add_variable(name, dimensions, rounded, in_single(attributes));
 }
 
 void add_estimates(Dataset& dataset, const std::string& name,
@@ -97,6 +102,35 @@ void add_echoes(Dataset& dataset, const tally::Result& result) {
                   fmt::format("{}, {}", echo_meaning, long_name), methods, flags,
                   coordinates_of(grid.grid), profile ? Precision::single : Precision::full);
   }
+}
+
+/// Adds nothing if none are kept.
+void add_groups(Dataset& dataset, const tally::Result& result) {
+  const tally::GroupMeans& by_group = result.by_group;
+  if (by_group.groups == 0) return;
+  dataset.add_dimension("batch_group", by_group.groups);
+  std::vector<std::int32_t> numbers(by_group.groups);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  dataset.add_variable("batch_group", {"batch_group"}, numbers,
+                       {{"long_name", "group of batches, in their order"}, {"units", "1"}});
+  dataset.add_variable("group_photons", {"telescope", "channel", "batch_group"}, by_group.photons,
+                       {{"long_name",
+                         "photons of a group of batches that the echoes of a channel are means "
+                         "over: 0 where it rested"},
+                        {"units", "1"},
+                        {"coordinates", "telescope_name channel_name"}});
+  const auto add = [&](const std::string& name, std::vector<std::string> dimensions,
+                       const ZeroedVector<float>& means, const std::string& long_name,
+                       const std::string& more_coordinates) {
+    for (const char* dimension : {"telescope", "channel", "batch_group", "gate"})
+      dimensions.emplace_back(dimension);
+    dataset.add_variable(name, dimensions, means,
+                         in_single(dimensionless(long_name, more_coordinates)));
+  };
+  add("echo_by_group", {}, by_group.echo, echo_meaning + ", in a group of batches", "");
+  if (!by_group.environment_echo.empty())
+    add("environment_echo_by_group", {"environment"}, by_group.environment_echo,
+        echo_meaning + ", in the environment, in a group of batches", " environment_name");
 }
 
 /// The flags of echoes, whose coordinates they share.
@@ -253,6 +287,7 @@ void add_all_of_echoes(Dataset& dataset, const tally::Result& result) {
   add_convergence(dataset, result);
   add_environments(dataset, result);
   add_sensitivities(dataset, result);
+  add_groups(dataset, result);
 }
 
 }  // namespace

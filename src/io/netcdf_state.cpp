@@ -85,6 +85,20 @@ void describe_tallies(Visitor& v, State& s) {
 }
 
 template <class Visitor, class State>
+void describe_groups(Visitor& v, State& s) {
+  if (s.groups.photons.sums.empty()) return;
+  v.array("group_photons", {"batch_group", "telescope", "channel"}, s.groups.photons.sums, itself,
+          "photons of a group of batches that a channel was scored in");
+  v.array("group_echo_sums", {"batch_group", "telescope", "channel", "gate"}, s.groups.echo.sums,
+          itself, "echo in a group of batches: sum of the scores");
+  if (!s.groups.environment.sums.empty())
+    v.array("group_environment_sums",
+            {"batch_group", "telescope", "channel", "gate", "environment"},
+            s.groups.environment.sums, itself,
+            "echo in the environment, in a group of batches: sum of the scores");
+}
+
+template <class Visitor, class State>
 void describe_echoes(Visitor& v, State& s, const std::vector<tally::Grid>& grids) {
   const Names cell{"telescope", "channel", "gate"};
   const auto in_cell = [&](const Names& more) {
@@ -115,6 +129,7 @@ void describe_echoes(Visitor& v, State& s, const std::vector<tally::Grid>& grids
                 "; the same of its difference to the scene's echo; largest single score; sums of "
                 "squares and fourth powers of single scores, and of their differences");
   if (s.batches == 0) return;
+  describe_groups(v, s);
   const Names in_snapshot{"snapshot", "telescope", "channel"};
   v.array("snapshot_photons", in_snapshot, s.snapshot_photons, itself,
           "photons that a channel was scored in when there were 1, 2, 4, 8 … batches");
@@ -200,7 +215,10 @@ void add_dimensions_of_echoes(NetcdfImage& file, const tally::TotalsState& state
     file.add_dimension("other_water", state.environment.size() / state.echo.size());
     file.add_dimension("environment_sum", environment_fields);
   }
-  if (state.batches > 0) file.add_dimension("snapshot", tally::snapshots_at(state.batches));
+  if (state.batches == 0) return;
+  file.add_dimension("snapshot", tally::snapshots_at(state.batches));
+  if (!state.groups.photons.sums.empty())
+    file.add_dimension("batch_group", tally::groups_of(state.batches));
 }
 
 }  // namespace
@@ -247,10 +265,16 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
       {"tally_cell", tally::cells_of(shape.tallies)},
       {"tally_sum", tally_fields},
       {"snapshot", tally::snapshots_at(file.count("batches"))}};
+  const std::size_t groups = tally::groups_of(file.count("batches"));
+  lengths["batch_group"] = groups;
+  lengths["environment"] = shape.waters();
   for (const tally::Grid& grid : shape.grids)
     for (const tally::Axis& axis : grid.axes) lengths[axis.name] = axis.size();
   const StateReader reader(file, std::move(lengths));
   tally::TotalsState state(shape);
+  if (shape.keeps_groups && groups > 0)
+    state.groups.each(shape.rows(), shape.cells(), shape.waters(),
+                      [&](auto& sums, std::size_t cells) { sums.open(groups - 1, cells); });
   describe(reader, state, shape.grids);
   if (state.photons > photons)
     file.refuse("a damaged result: its state counts more photons than it does");

@@ -174,6 +174,9 @@ std::pair<std::string, std::string> what_to_lessen(const TallyMemory& memory, co
   const bool more_environments = scene.environment.size() >= scene.sensitivity.size();
   const double most =
       std::max({memory.depths, memory.orders, memory.other_waters, memory.rest, memory.tallies});
+  if (memory.bytes() - memory.groups <= max_tally_memory)
+    return {"simulation.keep_groups",
+            "keep_groups = false leaves echoes by groups of batches out; or take fewer gates"};
   if (memory.tallies == most) return {"tally", "take fewer levels, directions or edges"};
   if (memory.other_waters == most)
     return {more_environments ? "environment" : "sensitivity",
@@ -196,6 +199,17 @@ void check_reception(const Scene& scene, Findings& findings) {
                     "the mean over a lens in the water takes light scattered close to it at one "
                     "angle: echoes are low, without a flag (3 m from a lens of 0.3 m a gate by 3 "
                     "%, its third order by 20 %); reception = \"ray\" is exact");
+}
+
+/// A remark if echoes by groups of batches are left out though the scene asks for them.
+void check_groups(const Scene& scene, Findings& findings) {
+  if (!scene.simulation.keep_groups || keeps_groups(scene)) return;
+  findings.remark(
+      "simulation.keep_groups",
+      fmt::format("echoes by groups of batches would take up to {:.0f} MB in the result, more than "
+                  "{:.0f}, and are left out: errors of what is made of several echoes will not be "
+                  "known (take fewer gates, channels or environments, or keep_groups = false)",
+                  group_echoes(scene) / 1e6, max_group_echoes / 1e6));
 }
 
 }  // namespace
@@ -230,8 +244,9 @@ void check_estimator(const Scene& scene, Findings& findings) {
 
 void check_memory(const Scene& scene, Findings& findings) {
   if (!findings.good({"telescope", "channel", "gates", "simulation.orders_kept", "environment",
-                      "sensitivity", "tally"}))
+                      "sensitivity", "tally", "simulation.keep_groups"}))
     return;
+  check_groups(scene, findings);
   const TallyMemory memory = tally_memory(scene);
   if (memory.bytes() <= max_tally_memory) return;
   const auto [path, suggestion] = what_to_lessen(memory, scene);

@@ -137,6 +137,9 @@ void describe(V& v, Simulation& s) {
   v.optional(expert("batch_photons"), s.batch_photons, Count{min_batch_photons, max_batch_photons},
              "photons of a batch: errors are those of the scatter of batches; by default the most "
              "of which photons holds 40 batches, and 2000 at most of the bidirectional estimator");
+  v.optional(expert("keep_groups"), s.keep_groups, YesOrNo{},
+             "whether echoes are kept by groups of batches, too: errors of all that is made of "
+             "several of them are made of those");
   v.section(expert("tools"), s.tools, Need::optional,
             "variance reduction by the forward estimator");
 }

@@ -216,6 +216,7 @@ struct Simulation {
                                            ///< from; none: as the water asks for
   Sampling sampling = Sampling::quasi_random;
   std::optional<std::uint64_t> batch_photons;  ///< none: by how many photons are asked for
+  bool keep_groups = true;                     ///< of batches, unless they take too much room
   Tools tools;                                 ///< forward
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };

@@ -30,10 +30,20 @@ constexpr double per_water_of_batch = 56.0;
 constexpr double per_tally_cell = 2 * 72.0 + 2 * 16.0 + 24.0 + per_kind;
 constexpr double per_tally_cell_of_batch = 16.0 + per_kind_of_batch;
 
+/// Groups of batches, at most (tally::full_groups), and bytes of a cell or a cell in other water in
+/// each: sums, sums before an incomplete batch or on their way into the file, and means.
+constexpr double max_groups = 128, per_group_mean = 4.0, per_group = 2 * 8.0 + per_group_mean;
+
 /// Constituents of a layer, and layers of air that a profile becomes, at most.
 constexpr double max_constituents = 8, max_air_layers = 200;
 /// Quantities of the irradiances, and of the boundaries but for absorption and angles.
 constexpr double irradiances = 4, single_boundaries = 6;
+
+/// Of echoes.
+double cells_of(const Scene& scene) {
+  return static_cast<double>(scene.telescope.size() * scene.channel.size()) *
+         static_cast<double>(scene.gates.count());
+}
 
 double cells_of_tally(const Tally& tally, const Scene& scene) {
   const auto number = [](const auto& values) { return static_cast<double>(values.size()); };
@@ -68,10 +78,18 @@ double cells_of_tallies(const Scene& scene) {
   return cells;
 }
 
+double group_echoes(const Scene& scene) {
+  const auto environments = static_cast<double>(scene.environment.size());
+  return cells_of(scene) * (1 + environments) * max_groups * per_group_mean;
+}
+
+bool keeps_groups(const Scene& scene) {
+  return scene.simulation.keep_groups && group_echoes(scene) <= max_group_echoes;
+}
+
 TallyMemory tally_memory(const Scene& scene) {
   const auto number = [](auto count) { return static_cast<double>(count); };
-  const double cells =
-      number(scene.telescope.size() * scene.channel.size()) * number(scene.gates.count());
+  const double cells = cells_of(scene);
   const double depths = number(scene.gates.depth_cells);
   const double orders = number(scene.simulation.orders_kept) + 1;  // and 0
   const double processes =
@@ -81,6 +99,7 @@ TallyMemory tally_memory(const Scene& scene) {
           .orders = cells * orders * per_part,
           .other_waters = cells * waters * per_water,
           .rest = cells * (processes * per_part + per_cell + kinds_in(scene) * per_kind),
+          .groups = keeps_groups(scene) ? group_echoes(scene) / per_group_mean * per_group : 0,
           .tallies = cells_of_tallies(scene) * per_tally_cell,
           .batch = cells * ((depths + orders + processes) * per_sum_of_batch +
                             waters * per_water_of_batch + per_cell_of_batch +

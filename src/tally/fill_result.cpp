@@ -137,6 +137,37 @@ void Totals::fill_tallies(Result& result) const {
   }
 }
 
+void Totals::fill_groups(Result& result) const {
+  if (!shape_->keeps_groups) return;
+  const BatchGroups& sums = state_.groups;
+  GroupMeans& out = result.by_group;
+  out.groups = groups_of(state_.batches);
+  const std::size_t rows = shape_->rows(), gates = shape_->gates, cells = shape_->cells();
+  const auto photons = [&](std::size_t row, std::size_t group) {
+    return static_cast<double>(sums.photons.sums[group * rows + row]);
+  };
+  const auto each_place = [&](auto f) {
+    for (std::size_t row = 0; row < rows; ++row)
+      for (std::size_t group = 0; group < out.groups; ++group) f(row, group);
+  };
+  /// Appends the means of a row in a group.
+  const auto add_means = [&](ZeroedVector<float>& means, std::size_t row, std::size_t group,
+                             auto sum_at) {
+    for (std::size_t gate = 0; gate < gates; ++gate)
+      means.push_back(
+          static_cast<float>(sum_at(group * cells + row * gates + gate) / photons(row, group)));
+  };
+  each_place([&](std::size_t row, std::size_t group) {
+    out.photons.push_back(photons(row, group));
+    add_means(out.echo, row, group, [&](std::size_t at) { return sums.echo.sums[at]; });
+  });
+  for (std::size_t e = 0; e < shape_->waters(); ++e)
+    each_place([&](std::size_t row, std::size_t group) {
+      add_means(out.environment_echo, row, group,
+                [&](std::size_t at) { return sums.environment.sums[at * shape_->waters() + e]; });
+    });
+}
+
 void Totals::fill(Result& result) const {
   fill_tallies(result);
   std::vector<Whole> wholes;
@@ -159,12 +190,11 @@ void Totals::fill(Result& result) const {
     else
       fill_parts(state_.grids[g], wholes, out);
   }
-  const std::size_t parameters = result.parameter_value.size();
-  expect(parameters <= shape_->environments, "every parameter has a tangent");
-  const std::size_t environments = shape_->environments - parameters;
-  for (std::size_t e = 0; e < environments; ++e) fill_environment(e, wholes, result);
-  for (std::size_t p = 0; p < parameters; ++p)
-    fill_sensitivity(environments + p, result.parameter_value[p], wholes, result);
+  expect(result.parameter_value.size() == shape_->tangents, "every parameter has a tangent");
+  fill_groups(result);
+  for (std::size_t e = 0; e < shape_->waters(); ++e) fill_environment(e, wholes, result);
+  for (std::size_t p = 0; p < shape_->tangents; ++p)
+    fill_sensitivity(shape_->waters() + p, result.parameter_value[p], wholes, result);
 
   const double per_photon = state_.photons > 0 ? 1.0 / static_cast<double>(state_.photons) : 0.0;
   result.ledger = state_.ledger * per_photon;

@@ -52,6 +52,15 @@ struct FlagMeaning {
 };
 const std::vector<FlagMeaning>& flag_meanings();
 
+/// Means per photon by groups of batches (batch_groups.hpp), in single precision: far finer than
+/// any scatter. NaN where a channel rested in a whole group.
+struct GroupMeans {
+  std::size_t groups = 0;                ///< 0: a scene keeps none
+  std::vector<double> photons;           ///< [telescope][channel][group]
+  ZeroedVector<float> echo;              ///< [telescope][channel][group][gate]
+  ZeroedVector<float> environment_echo;  ///< [environment][telescope][channel][group][gate]
+};
+
 struct Result {
   // Axes.
   std::vector<std::string> telescope_name, channel_name;
@@ -76,6 +85,7 @@ struct Result {
   std::vector<double>
       order_cut_share;  ///< [telescope][channel][gate]: first order cut off, over the echo
 
+  GroupMeans by_group;
   std::vector<TallyEstimates> tallies;    ///< of Shape::tallies
   std::optional<double> source_strength;  ///< as the scene gives it
   std::string source_strength_units;      ///< "W", "W m-2", "J", "1" (photons)

@@ -23,8 +23,10 @@ struct Counting {
 /// Immutable; shared by all batches.
 struct Shape {
   std::size_t telescopes = 0, channels = 0, gates = 0, environments = 0;
+  std::size_t tangents = 0;  ///< of parameters: the last environments, whose echo is none
   /// Each holds what of an echo is within its axes; the first one, by order, all of it.
   std::vector<Grid> grids;
+  bool keeps_groups = false;  ///< of batches (batch_groups.hpp)
   /// Kinds that scores are counted apart for: kinds_of_technique, or 1 of an estimator without
   /// walks.
   std::size_t techniques = 1;
@@ -44,6 +46,8 @@ struct Shape {
   [[nodiscard]] const Grid& grid(std::string_view name) const {
     return *std::ranges::find(grids, name, &Grid::name);
   }
+  /// Environments that are waters of their own.
+  [[nodiscard]] std::size_t waters() const { return environments - tangents; }
   /// Rows of gates: a channel of a telescope each.
   [[nodiscard]] std::size_t rows() const { return telescopes * channels; }
   [[nodiscard]] std::size_t cells() const { return rows() * gates; }

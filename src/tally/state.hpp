@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/zeroed.hpp"
+#include "tally/batch_groups.hpp"
 #include "tally/operations.hpp"
 
 namespace photic::tally {
@@ -168,8 +169,9 @@ struct TotalsState {
   std::vector<double> largest;                ///< [cell] largest single score
   ZeroedVector<Octaves> octaves;              ///< [cell][kind]
   ZeroedVector<EnvironmentSums> environment;  ///< [cell][environment]
-  std::vector<TallySums> tallies;             ///< [cell of all grids of tallies]
-  ZeroedVector<Octaves> tally_octaves;        ///< the same
+  BatchGroups groups;
+  std::vector<TallySums> tallies;       ///< [cell of all grids of tallies]
+  ZeroedVector<Octaves> tally_octaves;  ///< the same
   // The echo when there were 2^k batches, one snapshot after the other.
   std::vector<double> snapshot_photons, snapshot_batches;  ///< [snapshot][row]
   std::vector<Sums> snapshot_echo;                         ///< [snapshot][cell]

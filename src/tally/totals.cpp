@@ -17,6 +17,13 @@ double environment_echo(double echo, double difference, double scored) {
   return std::abs(difference) < echo / 2 ? echo + difference : scored;
 }
 
+bool groups_fit(const TotalsState& state, const Shape& shape) {
+  const std::size_t groups = shape.keeps_groups ? groups_of(state.batches) : 0;
+  return state.groups.photons.sums.size() == groups * shape.rows() &&
+         state.groups.echo.sums.size() == groups * shape.cells() &&
+         state.groups.environment.sums.size() == groups * shape.cells() * shape.waters();
+}
+
 bool fits(const TotalsState& state, const Shape& shape) {
   const std::size_t cells = shape.cells(), snapshots = snapshots_at(state.batches);
   return state.row.size() == shape.rows() && state.echo.size() == cells &&
@@ -24,7 +31,7 @@ bool fits(const TotalsState& state, const Shape& shape) {
                             [&](const Grid& grid) { return cells * grid.size(); }) &&
          state.cut_order.size() == cells && state.largest.size() == cells &&
          state.octaves.size() == cells * shape.techniques &&
-         state.environment.size() == cells * shape.environments &&
+         state.environment.size() == cells * shape.environments && groups_fit(state, shape) &&
          state.tallies.size() == cells_of(shape.tallies) &&
          state.tally_octaves.size() == cells_of(shape.tallies) &&
          state.snapshot_photons.size() == snapshots * shape.rows() &&
@@ -51,6 +58,8 @@ void Totals::merge_cell(const BatchTally& batch, std::size_t cell) {
     }
   }
   state_.echo[cell].add(echo, n);
+  if (const auto group = this->group())
+    state_.groups.echo.sums[*group * shape_->cells() + cell] += echo;
   const CellScores& scores = batch.cells[cell];
   state_.cut_order[cell] += scores.cut_order;
   state_.largest[cell] = std::max(state_.largest[cell], scores.largest);
@@ -63,7 +72,7 @@ void Totals::merge_cell(const BatchTally& batch, std::size_t cell) {
       rest -= count;
     }
   }
-  merge_environments(batch, cell, echo);
+  if (shape_->environments > 0) merge_environments(batch, cell, echo);
 }
 
 void Totals::merge_row(const BatchTally& batch, std::size_t row) {
@@ -74,6 +83,8 @@ void Totals::merge_row(const BatchTally& batch, std::size_t row) {
     for (const std::uint32_t k : batch.profile.touched[row])
       state_.grids[g][k].add(batch.profile.sums[k], n);
   }
+  if (const auto group = this->group())
+    state_.groups.photons.sums[*group * shape_->rows() + row] += batch.photons;
   state_.row[row].photons += batch.photons;
   ++state_.row[row].batches;
 }
@@ -96,8 +107,15 @@ void Totals::merge_tallies(const BatchTally& batch) {
     }
 }
 
+std::optional<std::size_t> Totals::group() const {
+  if (!shape_->keeps_groups) return std::nullopt;
+  return static_cast<std::size_t>(state_.batches / batches_of_group(state_.batches));
+}
+
 void Totals::merge(const BatchTally& batch) {
   const auto n = static_cast<double>(batch.photons);
+  if (const auto group = this->group())
+    each_group_sums([&](auto& sums, std::size_t cells) { sums.open(*group, cells); });
   for (std::size_t row = 0; row < state_.row.size(); ++row)
     if (!batch.rests[row]) merge_row(batch, row);
 
@@ -114,6 +132,8 @@ void Totals::merge(const BatchTally& batch) {
   state_.ledger += batch.ledger;
 
   if (std::has_single_bit(state_.batches)) {
+    if (state_.batches >= full_groups)
+      each_group_sums([](auto& sums, std::size_t cells) { sums.pair_up(cells); });
     for (const Row& row : state_.row) {
       state_.snapshot_photons.push_back(static_cast<double>(row.photons));
       state_.snapshot_batches.push_back(static_cast<double>(row.batches));
@@ -124,12 +144,18 @@ void Totals::merge(const BatchTally& batch) {
 
 void Totals::merge_environments(const BatchTally& batch, std::size_t cell, double echo) {
   const auto n = static_cast<double>(batch.photons);
+  double* by_group = nullptr;
+  if (const auto group = this->group(); group && shape_->waters() > 0)
+    by_group =
+        &state_.groups.environment.sums[(*group * shape_->cells() + cell) * shape_->waters()];
   for (std::size_t e = 0; e < shape_->environments; ++e) {
     const std::size_t group = cell * batch.environment_groups + e / EnvironmentScores::size;
     const std::size_t k = e % EnvironmentScores::size;
     const EnvironmentScores& scored = batch.environment[group];
     EnvironmentSums& sums = state_.environment[cell * shape_->environments + e];
-    sums.echo.add(environment_echo(echo, scored.difference[k], scored.echo[k]), n);
+    const double there = environment_echo(echo, scored.difference[k], scored.echo[k]);
+    sums.echo.add(there, n);
+    if (by_group != nullptr && e < shape_->waters()) by_group[e] += there;
     sums.difference.add(scored.difference[k], n);
     sums.largest = std::max(sums.largest, scored.largest[k]);
     sums.of_scores = sums.of_scores + Powers{scored.squares[k], scored.fourths[k]};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -79,6 +80,13 @@ class Totals {
   }
   /// Adds all that a batch scored in a row.
   void merge_row(const BatchTally& batch, std::size_t row);
+  /// Calls f(sums, size of a group) for all that is kept by groups.
+  template <class F>
+  void each_group_sums(F f) {
+    state_.groups.each(shape_->rows(), shape_->cells(), shape_->waters(), f);
+  }
+  /// The group of the batch that is merged; none where none are kept.
+  [[nodiscard]] std::optional<std::size_t> group() const;
   void merge_cell(const BatchTally& batch, std::size_t cell);
   /// Adds the scores of the tallies beside echoes. The balance comes after what it is the sum of.
   void merge_tallies(const BatchTally& batch);
@@ -89,6 +97,7 @@ class Totals {
   /// As all_converged, of the tallies beside echoes.
   [[nodiscard]] bool tallies_converged(double relative_error) const;
   void fill_tallies(Result& result) const;
+  void fill_groups(Result& result) const;
   /// As all_converged, of a row's cells.
   [[nodiscard]] bool row_converged(std::size_t row, double relative_error) const;
   /// Estimates sums in a cell with what has not been seen of them.

@@ -41,6 +41,7 @@ class Maker {
     for (std::size_t p = 0; p < result_.parameter_name.size(); ++p)
       parameter(static_cast<double>(p + 1));
     run();
+    groups();
     state();
     return std::move(result_);
   }
@@ -205,10 +206,37 @@ class Maker {
                        "chlorophyll yield = 0.01: [placeholder]"};
   }
 
+  /// Groups of two batches that scatter as errors have it. One channel rests in most of them.
+  void groups() {
+    tally::GroupMeans& out = result_.by_group;
+    out.groups = result_.batches / 2;
+    const auto count = static_cast<double>(out.groups);
+    for (const std::uint64_t photons : result_.channel_photons) {
+      auto left = static_cast<double>(photons);
+      for (std::size_t group = 0; group < out.groups; ++group) {
+        out.photons.push_back(std::min(left, static_cast<double>(result_.photons) / count));
+        left -= out.photons.back();
+      }
+    }
+    const auto fill = [&](const tally::Estimates& of, ZeroedVector<float>& means) {
+      for (std::size_t row = 0; row < of.mean.size() / gates; ++row)
+        for (std::size_t group = 0; group < out.groups; ++group)
+          for (std::size_t cell = row * gates; cell < (row + 1) * gates; ++cell) {
+            const bool rests = out.photons[row % 6 * out.groups + group] == 0;
+            const double scatter = std::sqrt(count) * of.standard_error[cell] * normal_(random_);
+            means.push_back(rests ? std::numeric_limits<float>::quiet_NaN()
+                                  : static_cast<float>(of.mean[cell] + scatter));
+          }
+    };
+    fill(result_.echo, out.echo);
+    fill(result_.environment_echo, out.environment_echo);
+  }
+
   /// No number twice, so that none can be taken for another.
   void state() {
-    tally::TotalsState state(
-        sample_shape(result_.environment_name.size() + result_.parameter_name.size()));
+    const tally::Shape shape =
+        sample_shape(result_.environment_name.size(), result_.parameter_name.size());
+    tally::TotalsState state(shape);
     state.photons = 19'998'000;
     state.batches = 9999;
     state.collisions = 187'654'000;
@@ -231,6 +259,12 @@ class Maker {
       s.largest = next();
       for (auto* powers : {&s.of_scores, &s.of_differences}) *powers = {next(), next()};
     }
+    state.groups.each(shape.rows(), shape.cells(), shape.waters(),
+                      [&](auto& sums, std::size_t cells) {
+                        sums.open(tally::groups_of(state.batches) - 1, cells);
+                        for (auto& sum : sums.sums)
+                          sum = static_cast<std::remove_reference_t<decltype(sum)>>(++numbers_);
+                      });
     for (auto& counts : state.octaves)
       for (auto& count : counts) count = (std::uint64_t{1} << 60) + ++numbers_;
     for (std::size_t k = 0; k < tally::snapshots_at(state.batches); ++k) {
@@ -270,13 +304,15 @@ tally::Result sample_result_in(const std::vector<std::string>& environments,
   return Maker(environments, parameters).make();
 }
 
-tally::Shape sample_shape(std::size_t environments) {
+tally::Shape sample_shape(std::size_t environments, std::size_t parameters) {
   tally::Shape shape;
   shape.telescopes = 2;
   shape.channels = 3;
   shape.grids = tally::echo_grids(7, {"elastic", "raman", "chlorophyll"}, depth_edges());
   shape.gates = gates;
-  shape.environments = environments;
+  shape.environments = environments + parameters;
+  shape.tangents = parameters;
+  shape.keeps_groups = true;
   shape.techniques = tally::kinds_of_technique;
   return shape;
 }

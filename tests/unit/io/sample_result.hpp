@@ -20,8 +20,8 @@ tally::Result sample_result();
 tally::Result sample_result_in(const std::vector<std::string>& environments,
                                const std::vector<std::string>& parameters = {});
 
-/// The extents of its tallies; environments: with parameters.
-tally::Shape sample_shape(std::size_t environments = 0);
+/// The extents of its tallies, which keep groups of batches.
+tally::Shape sample_shape(std::size_t environments = 0, std::size_t parameters = 0);
 
 /// How messages about a file that is no result end.
 inline constexpr const char* wanted_result =

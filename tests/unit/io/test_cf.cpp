@@ -113,7 +113,8 @@ TEST_F(Cf, TheVariablesOfTheFormat) {
   EXPECT_EQ(
       of_echoes,
       as_set(words(
-          "channel_photons echo echo_standard_error echo_by_process echo_by_process_standard_error "
+          "channel_photons batch_group group_photons echo_by_group environment_echo_by_group "
+          "echo echo_standard_error echo_by_process echo_by_process_standard_error "
           "echo_by_process_converged echo_by_process_convergence_flags "
           "echo_by_order echo_by_order_standard_error echo_by_order_converged "
           "echo_by_order_convergence_flags echo_by_depth "
@@ -268,7 +269,7 @@ TEST_F(Cf, CoordinateVariables_4_5) {
     const auto values = file_.numbers(name);
     for (std::size_t i = 1; i < values.size(); ++i) EXPECT_LT(values[i - 1], values[i]) << name;
   }
-  EXPECT_EQ(count, 7u);  // depth, order, escape_zenith and two of each fluence
+  EXPECT_EQ(count, 8u);  // depth, order, batch_group, escape_zenith and two of each fluence
   EXPECT_EQ(text("depth", "positive"), "down");
   EXPECT_EQ(text("depth", "axis"), "Z");
   EXPECT_EQ(text("gate_depth", "positive"), "down");

@@ -252,6 +252,34 @@ TEST(WrittenEnvironments, NumbersThatTheySet) {
   expect_same(file.numbers("environment_value"), result.environment_value);
 }
 
+// Seen red: with the scene's means in the place of the environments'.
+TEST(WrittenGroups, MeansAndPhotons) {
+  const test::TemporaryFolder folder;
+  tally::Result result = test::sample_result_in({"bloom", "no algae"});
+  write_netcdf(result, folder.file("out.nc"), {"test"});
+  const NetcdfFile file(folder.file("out.nc"));
+  const Names dimensions{"telescope", "channel", "batch_group", "gate"};
+  const Names in_environments{"environment", "telescope", "channel", "batch_group", "gate"};
+  EXPECT_EQ(file.numbers("group_photons"), result.by_group.photons);
+  EXPECT_EQ(file.dimensions(file.variable("echo_by_group")), dimensions);
+  EXPECT_EQ(file.dimensions(file.variable("environment_echo_by_group")), in_environments);
+  const auto doubles = [](const ZeroedVector<float>& means) {
+    return std::vector<double>(means.begin(), means.end());
+  };
+  expect_same(file.numbers("echo_by_group"), doubles(result.by_group.echo));
+  expect_same(file.numbers("environment_echo_by_group"), doubles(result.by_group.environment_echo));
+}
+
+TEST(WrittenGroups, AreNotThereIfNoneAreKept) {
+  const test::TemporaryFolder folder;
+  tally::Result result = test::sample_result();
+  result.by_group = {};
+  write_netcdf(result, folder.file("out.nc"), {"test"});
+  const NetcdfFile file(folder.file("out.nc"));
+  for (const char* name : {"group_photons", "echo_by_group", "environment_echo_by_group"})
+    EXPECT_FALSE(file.has_variable(name)) << name;
+}
+
 // Seen red: with a dimension of no length, which netCDF takes for one without end.
 TEST(WrittenEnvironments, ThatSetNoNumbers) {
   const test::TemporaryFolder folder;

@@ -85,8 +85,23 @@ TEST_F(WrittenState, OfTangentsComesBackToTheLastBit) {
   for (const std::vector<std::string>& environments : {Texts{}, Texts{"more algae"}}) {
     result_ = test::sample_result_in(environments, {"sea.x", "sea.y"});
     write();
-    EXPECT_EQ(read_state(path_, test::sample_shape(environments.size() + 2)), *result_.state);
+    EXPECT_EQ(read_state(path_, test::sample_shape(environments.size(), 2)), *result_.state);
   }
+}
+
+// Seen red: without the extent of the groups.
+TEST_F(WrittenState, OfASceneThatKeepsNoGroupsIsAnother) {
+  tally::Shape shape = test::sample_shape();
+  shape.keeps_groups = false;
+  result_.state = tally::TotalsState(shape);
+  result_.state->batches = 1;
+  result_.state->snapshot_photons.resize(shape.rows());
+  result_.state->snapshot_batches.resize(shape.rows());
+  result_.state->snapshot_echo.resize(shape.cells());
+  write();
+  EXPECT_EQ(read_state(path_, shape), *result_.state);
+  EXPECT_EQ(refusal(test::sample_shape()),
+            "a damaged result: it has no variable group_photons of the size of its scene");
 }
 
 TEST_F(WrittenState, WithoutTheEnvironmentsOfItsSceneIsRefused) {

@@ -202,7 +202,7 @@ step_ns = 1)"}},
       {"MemoryByDepths",
        {{28, 28, "depth_step_m = 0.01\ndepth_cells = 10000"}},
        {"scene.toml:29:15: the tallies (telescopes 1, channels 1, gates 5000, orders 6, cells of "
-        "depth 10000) would take 2.28 GiB; the limit is 2 GiB (take fewer, 0 leaves echo_by_depth "
+        "depth 10000) would take 2.3 GiB; the limit is 2 GiB (take fewer, 0 leaves echo_by_depth "
         "out, or fewer gates)"}},
       {"ToolsOfTheBidirectionalEstimator",
        {{30, 30,
@@ -280,6 +280,26 @@ TEST(Checks, RemarkOnTheMeanOverALensInTheWater) {
           "gate by 3 %, its third order by 20 %); reception = \"ray\" is exact"}));
 }
 
+// Seen red: without the remark; with it where no groups are asked for.
+TEST(Checks, RemarkOnGroupsThatTakeTooMuchRoom) {
+  const auto remarks = [](const std::string& step_m, const std::string& keep_groups) {
+    return read_scene_text(edited({}), "scene.toml", "/",
+                           {{"gates.depth_step_m=" + step_m},
+                            {"gates.depth_cells=0"},
+                            {"simulation.keep_groups=" + keep_groups}})
+        .remarks;
+  };
+  EXPECT_EQ(remarks("0.0004", "true"), std::vector<std::string>{});
+  EXPECT_EQ(remarks("0.00032", "false"), std::vector<std::string>{});
+  EXPECT_EQ(
+      remarks("0.00032", "true"),
+      (std::vector<std::string>{
+          "--set simulation.keep_groups: echoes by groups of batches would take up to 80 MB in "
+          "the result, more than 64, and are left out: errors of what is made of several echoes "
+          "will not be known (take fewer gates, channels or environments, or keep_groups = "
+          "false)"}));
+}
+
 TEST(Checks, MemoryOfManyOrders) {
   std::string channels;
   for (int i = 0; i < 100; ++i)
@@ -287,7 +307,7 @@ TEST(Checks, MemoryOfManyOrders) {
   channels.pop_back();
   const std::vector<std::string> expected{
       "scene.toml:328:15: the tallies (telescopes 1, channels 100, gates 500, orders "
-      "1000, cells of depth 100) would take 3.16 GiB; the limit is 2 GiB (keep fewer orders: "
+      "1000, cells of depth 100) would take 3.28 GiB; the limit is 2 GiB (keep fewer orders: "
       "orders_kept)"};
   EXPECT_EQ(diagnostics_of(edited({{15, 17, channels},
                                    {28, 28, "depth_step_m = 0.1"},

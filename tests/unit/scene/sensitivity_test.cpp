@@ -228,7 +228,7 @@ TEST(Sensitivity, TakesMemory) {
   EXPECT_EQ(
       diagnostics_of(deriving(paths.str(), scene)),
       (Texts{"scene.toml:1:15: the tallies (telescopes 1, channels 2, gates 4100, orders 6, "
-             "cells of depth 100, parameters 620) would take 2.39 GiB; the limit is 2 GiB (take "
+             "cells of depth 100, parameters 620) would take 2.41 GiB; the limit is 2 GiB (take "
              "fewer parameters, or fewer gates)"}));
 }
 

@@ -212,6 +212,7 @@ orders_kept = 6
 seed = 1
 reception = "ray"
 sampling = "quasi-random"
+keep_groups = true
 
 [simulation.tools]
 forced_collisions = 0

@@ -9,7 +9,7 @@ namespace {
 
 /// One environment and behind it the tangent of one parameter.
 struct Tangent : Tallies {
-  explicit Tangent(double value) : Tallies(0, 2), value_(value) {}
+  explicit Tangent(double value) : Tallies(with_a_tangent()), value_(value) {}
 
   /// In gate 0; `change` is p d score / d p.
   void add(double score, double change) {
@@ -26,6 +26,12 @@ struct Tangent : Tallies {
   }
 
  private:
+  static Shape with_a_tangent() {
+    Shape shape = make_shape(0, 2, 1);
+    shape.tangents = 1;
+    return shape;
+  }
+
   double value_;
 };
 
