@@ -7,13 +7,14 @@
     echo.echo.sel(telescope="airborne", channel="raman")
 
 Scene is what is simulated; run(scene) computes, open(path) reads a result file; both return an
-xarray.Dataset whose telescopes, channels and processes are indexed by their names. oil_thickness
-finds the thickness of a film of oil. `photic plot out.nc -o out.png` draws a result.
+xarray.Dataset whose telescopes, channels and processes are indexed by their names. error_of finds the
+error of anything made of its echoes, oil_thickness the thickness of a film of oil. `photic plot out.nc -o out.png` draws a result.
 """
 
 from photic.core import VERSION as __version__
 from photic.core import is_there
 from photic.errors import Error, Interrupted, Problem, SceneError
+from photic.jackknife import error_of
 from photic.locks import netcdf_lock
 from photic.oil import oil_thickness
 from photic.result import open
@@ -21,8 +22,8 @@ from photic.scene import Scene, run
 from photic.simulation import Run
 
 __all__ = [
-    "Error", "Interrupted", "Problem", "Run", "Scene", "SceneError", "__version__", "netcdf_lock", "oil_thickness",
-    "open", "run",
+    "Error", "Interrupted", "Problem", "Run", "Scene", "SceneError", "__version__", "error_of", "netcdf_lock",
+    "oil_thickness", "open", "run",
 ]  # fmt: skip
 if is_there():
     from photic._core import Progress

@@ -124,4 +124,15 @@ class NetcdfFile {
   int id_ = -1;
 };
 
+/// Equal to the last bit, NaN included.
+inline void expect_same(std::span<const double> file, std::span<const double> result) {
+  ASSERT_EQ(file.size(), result.size());
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    if (std::isnan(result[i]))
+      EXPECT_TRUE(std::isnan(file[i])) << "at " << i;
+    else
+      EXPECT_EQ(file[i], result[i]) << "at " << i;
+  }
+}
+
 }  // namespace photic::test

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <span>
 
 #include "core/error.hpp"
@@ -15,18 +14,8 @@
 namespace photic::io {
 namespace {
 
+using test::expect_same;
 using test::NetcdfFile;
-
-/// Equal to the last bit, NaN included.
-void expect_same(std::span<const double> file, std::span<const double> result) {
-  ASSERT_EQ(file.size(), result.size());
-  for (std::size_t i = 0; i < file.size(); ++i) {
-    if (std::isnan(result[i]))
-      EXPECT_TRUE(std::isnan(file[i])) << "at " << i;
-    else
-      EXPECT_EQ(file[i], result[i]) << "at " << i;
-  }
-}
 
 class WrittenResult : public testing::Test {
  protected:
@@ -250,34 +239,6 @@ TEST(WrittenEnvironments, NumbersThatTheySet) {
   EXPECT_EQ(file.dimensions(file.variable("environment_value")),
             (Names{"environment", "environment_path"}));
   expect_same(file.numbers("environment_value"), result.environment_value);
-}
-
-// Seen red: with the scene's means in the place of the environments'.
-TEST(WrittenGroups, MeansAndPhotons) {
-  const test::TemporaryFolder folder;
-  tally::Result result = test::sample_result_in({"bloom", "no algae"});
-  write_netcdf(result, folder.file("out.nc"), {"test"});
-  const NetcdfFile file(folder.file("out.nc"));
-  const Names dimensions{"telescope", "channel", "batch_group", "gate"};
-  const Names in_environments{"environment", "telescope", "channel", "batch_group", "gate"};
-  EXPECT_EQ(file.numbers("group_photons"), result.by_group.photons);
-  EXPECT_EQ(file.dimensions(file.variable("echo_by_group")), dimensions);
-  EXPECT_EQ(file.dimensions(file.variable("environment_echo_by_group")), in_environments);
-  const auto doubles = [](const ZeroedVector<float>& means) {
-    return std::vector<double>(means.begin(), means.end());
-  };
-  expect_same(file.numbers("echo_by_group"), doubles(result.by_group.echo));
-  expect_same(file.numbers("environment_echo_by_group"), doubles(result.by_group.environment_echo));
-}
-
-TEST(WrittenGroups, AreNotThereIfNoneAreKept) {
-  const test::TemporaryFolder folder;
-  tally::Result result = test::sample_result();
-  result.by_group = {};
-  write_netcdf(result, folder.file("out.nc"), {"test"});
-  const NetcdfFile file(folder.file("out.nc"));
-  for (const char* name : {"group_photons", "echo_by_group", "environment_echo_by_group"})
-    EXPECT_FALSE(file.has_variable(name)) << name;
 }
 
 // Seen red: with a dimension of no length, which netCDF takes for one without end.

@@ -89,7 +89,7 @@ TEST_F(WrittenState, OfTangentsComesBackToTheLastBit) {
   }
 }
 
-// Seen red: without the extent of the groups.
+// Seen red: with groups looked for in every file.
 TEST_F(WrittenState, OfASceneThatKeepsNoGroupsIsAnother) {
   tally::Shape shape = test::sample_shape();
   shape.keeps_groups = false;
