@@ -90,15 +90,15 @@ def overlap(scene: Union[Scene, File]) -> xarray.Dataset:
     plus that in the water over n.
 
     scene    a photic.Scene, or the path of a scene file: laser and telescopes in the air, beside each other or
-             not, tilted anyhow, detectors in focus or out of it. Air that does not bend light, a film, the bed
-             and columns do not count
+             not, tilted anyhow, detectors in focus or out of it. A film, the bed, columns, and air that does not
+             bend light do not count
 
-    On (telescope, channel, gate), with the coordinates of a result; channels differ by the index of their
-    light, which of a filter is that at its centre:
+    On (telescope, channel, gate), with the coordinates of a result, but without gate_time where there is air,
+    which delays pulses; channels differ by the index of their light, which of a filter is that at its centre:
     overlap  [1] 0 to 1; NaN in gates before any light
 
-    Raises photic.SceneError for a scene that is wrong, photic.Error for waves, air that bends light, instruments
-    in the water or looking up.
+    Raises photic.SceneError for a scene that is wrong, photic.Error for waves, air that bends light, gates in time
+    under air, instruments in the water or looking up, a filter without a centre.
 
     Sources: docs/theory.md, eq. 31, 32; compare Harms, Lahmann & Weitkamp 1978, Appl. Opt. 17, 1131, and Harms
     1979, Appl. Opt. 18, 1559.
@@ -106,20 +106,22 @@ def overlap(scene: Union[Scene, File]) -> xarray.Dataset:
     table, parts = _described(scene, "overlap")
     laser = light_of(parts["sea"], parts["source"]["wavelength_nm"])
     lights = [_light_of_channel(table, parts, channel) for channel in parts["channel"]]
-    places = coordinates(parts, laser, lights)
-    eta = mean_overlap(parts, parts["telescope"], lights, _gate_paths(edge_paths(parts, laser)))
-    return xarray.Dataset({"overlap": eta}, places)
+    if "atmosphere" in parts and "start_ns" in parts["gates"]:
+        raise Error("overlap: the air delays pulses by what is not known here (give gates by depth or range, not in time)")
+    paths = _gate_paths(edge_paths(parts, laser))
+    eta = mean_overlap(parts, parts["telescope"], lights, [[paths for _ in lights] for _ in parts["telescope"]])
+    return xarray.Dataset({"overlap": eta}, coordinates(parts, laser, lights))
 
 
 def mean_overlap(
-    parts: dict[str, Any], telescopes: list[dict[str, Any]], lights: list[Light], paths: Any
+    parts: dict[str, Any], telescopes: list[dict[str, Any]], lights: list[Light], paths: list[list[Any]]
 ) -> xarray.DataArray:
-    """The overlap of telescopes and lights, by gates that begin and end at group paths [m]."""
+    """The overlap of telescopes and lights, by gates that each have begin and end at group paths [m]."""
     laser = light_of(parts["sea"], parts["source"]["wavelength_nm"])
     values = []
-    for telescope in telescopes:
+    for telescope, of_telescope in zip(telescopes, paths):
         beam, lens = beam_for(parts["source"], telescope, laser), Lens(telescope)
-        values.append([_mean_along(beam, lens, light, paths) for light in lights])
+        values.append([_mean_along(beam, lens, light, gates) for light, gates in zip(lights, of_telescope)])
     about = {"long_name": "share of the light collected from the gate that falls on the detector", "units": "1"}
     return xarray.DataArray(numpy.array(values), dims=ACROSS, attrs=about)
 

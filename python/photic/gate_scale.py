@@ -39,29 +39,31 @@ def cosine_in_water(cosine: float, index: float) -> float:
 
 
 def edge_paths(scene: dict[str, Any], laser: Light) -> Any:
-    """The group paths at the edges of the gates [m], from the disc to the lens."""
+    """The group paths at the edges of the gates [m], from the disc to the lens, as if the air were a vacuum."""
     gates = scene["gates"]
     for kind in ("depth", "range"):
         if f"{kind}_max_m" in gates:
-            scale = _scale(scene, scene["telescope"][0], laser, laser, kind == "range")
+            scale = scale_of(scene, scene["telescope"][0], laser, laser, kind == "range")
             return scale.path(_edges(*(gates[f"{kind}_{name}_m"] for name in ("min", "max", "step"))))
     return LIGHT_M_PER_NS * _edges(gates["start_ns"], gates["stop_ns"], gates["step_ns"])
 
 
 def coordinates(scene: dict[str, Any], laser: Light, lights: Sequence[Light]) -> dict[str, xarray.DataArray]:
-    """Those of a result: of the gates, and of the channels, whose light is given."""
+    """Those of a result: of the gates, and of the channels, whose light is given. Without the time of gates where
+    there is air, which delays pulses."""
     edges = edge_paths(scene, laser)
     is_range = has_ranges(scene)
-    places = [[_scale(scene, t, laser, light, is_range).place(edges) for light in lights] for t in scene["telescope"]]
+    places = [[scale_of(scene, t, laser, light, is_range).place(edges) for light in lights] for t in scene["telescope"]]
     quantity = "range along the axis of the telescope" if is_range else "depth"
     about = {"long_name": f"{quantity} from which light scattered once arrives at the centre of the gate", "units": "m"}
     about |= {} if is_range else {"standard_name": "depth", "positive": "down"}
     of_time = {"long_name": "time from the laser to the telescope, centre of the gate", "units": "ns"}
     of_wavelength = {"long_name": "mean wavelength of the light that the channel counts", "units": "nm"}
+    timed = {} if "atmosphere" in scene else _with_bounds("gate_time", ("gate",), edges / LIGHT_M_PER_NS, of_time)
     return {
         **{axis: xarray.DataArray([each["name"] for each in scene[axis]], dims=axis) for axis in ("telescope", "channel")},
         "channel_wavelength": xarray.DataArray([each.wavelength_nm for each in lights], dims="channel", attrs=of_wavelength),
-        **_with_bounds("gate_time", ("gate",), edges / LIGHT_M_PER_NS, of_time),
+        **timed,
         **_with_bounds("gate_depth", ("telescope", "channel", "gate"), numpy.array(places), about),
     }
 
@@ -84,7 +86,8 @@ def has_ranges(scene: dict[str, Any]) -> bool:
     return "range_max_m" in scene["gates"] or (by_time and any(unit(axis)[2] >= -STEEP for axis in axes))
 
 
-def _scale(scene: dict[str, Any], telescope: dict[str, Any], laser: Light, home: Light, is_range: bool) -> Scale:
+def scale_of(scene: dict[str, Any], telescope: dict[str, Any], laser: Light, home: Light, is_range: bool) -> Scale:
+    """Depths, or ranges along the axis of the telescope, of light that comes home with other indices."""
     source, axis = scene["source"], unit(telescope["direction"])
     down, up = -unit(source["direction"])[2], -axis[2]
     to_lens = telescope["position_m"][2] / up

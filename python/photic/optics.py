@@ -53,7 +53,7 @@ def scene_from(scene: Any) -> Scene:
     if isinstance(scene, (str, os.PathLike)):
         return Scene.load(scene)
     raise Error(
-        f"scene: a {type(scene).__name__} is neither a photic.Scene nor the path of a scene file "
+        f"scene: of type {type(scene).__name__}, neither a photic.Scene nor the path of a scene file "
         '(photic.Scene(ds.attrs["scene"]) is the scene of a result)'
     )
 

@@ -10,13 +10,13 @@ import xarray
 from photic.closed_form import expect_lidar_over_flat_sea
 from photic.errors import Error
 from photic.first_order import ACROSS, mean_overlap
-from photic.gate_scale import cosine_in_water, has_ranges
+from photic.gate_scale import cosine_in_water, has_ranges, scale_of
 from photic.lens import Lens
-from photic.rays import LIGHT_M_PER_NS, unit
+from photic.rays import unit
 from photic.result import scene_of
 from photic.seawater import Light, light_of
 
-NEEDED = ["echo", "echo_standard_error", "converged", "gate_time_bounds", "gate_depth", "channel_wavelength"]
+NEEDED = ["echo", "echo_standard_error", "converged", "gate_depth", "gate_depth_bounds", "channel_wavelength"]
 
 
 def range_corrected(ds: xarray.Dataset) -> xarray.Dataset:
@@ -53,12 +53,7 @@ def range_corrected(ds: xarray.Dataset) -> xarray.Dataset:
     expect_lidar_over_flat_sea(parts, "range_corrected")
     telescopes = [_named(parts["telescope"], name) for name in ds.telescope.values]
     lights = [light_of(parts["sea"], float(nm)) for nm in ds.channel_wavelength.values]
-    eta = mean_overlap(parts, telescopes, lights, LIGHT_M_PER_NS * ds.gate_time_bounds.transpose("gate", "bnds").values)
-    places = ds.gate_depth.transpose(*ACROSS).values
-    ways = [[_spread(telescope, light, of_gates, has_ranges(parts)) for light, of_gates in zip(lights, of_telescope)]
-            for telescope, of_telescope in zip(telescopes, places)]  # fmt: skip
-    areas = xarray.DataArray([Lens(telescope).area for telescope in telescopes], dims="telescope")
-    factor = xarray.DataArray(numpy.array(ways), dims=ACROSS) / (areas * eta.where(eta > 0))
+    factor = _per_echo(parts, telescopes, lights, ds)
     value, error = ds.echo * factor, ds.echo_standard_error * factor
     of = "range-corrected echo"
     return xarray.Dataset(
@@ -70,6 +65,25 @@ def range_corrected(ds: xarray.Dataset) -> xarray.Dataset:
             ),
         }
     ).transpose(*ACROSS)
+
+
+def _per_echo(
+    parts: dict[str, Any], telescopes: list[dict[str, Any]], lights: list[Light], ds: xarray.Dataset
+) -> xarray.DataArray:
+    """X_g / E_g. Places are known by depth or range, which air that delays pulses leaves as they are."""
+    laser, is_range = light_of(parts["sea"], parts["source"]["wavelength_nm"]), has_ranges(parts)
+    centres = ds.gate_depth.transpose(*ACROSS).values
+    bounds = ds.gate_depth_bounds.transpose(*ACROSS, "bnds").values
+    spread: list[list[Any]] = [[] for _ in telescopes]
+    paths: list[list[Any]] = [[] for _ in telescopes]
+    for t, telescope in enumerate(telescopes):
+        for c, light in enumerate(lights):
+            spread[t].append(_spread(telescope, light, centres[t, c], is_range))
+            paths[t].append(scale_of(parts, telescope, laser, light, is_range).path(bounds[t, c]))
+    eta = mean_overlap(parts, telescopes, lights, paths)
+    areas = xarray.DataArray([Lens(telescope).area for telescope in telescopes], dims="telescope")
+    factor: xarray.DataArray = xarray.DataArray(numpy.array(spread), dims=ACROSS) / (areas * eta.where(eta > 0))
+    return factor
 
 
 def _spread(telescope: dict[str, Any], light: Light, place: Any, is_range: bool) -> Any:

@@ -11,8 +11,9 @@ import numpy
 from photic.seawater import Light
 
 LIGHT_M_PER_NS = 0.299792458
-RINGS, AZIMUTHS = 24, 16  # of the laser's cone
-STEPS_TO_CROSSING, STEPS_TO_TIME = 16, 16
+RINGS, AZIMUTHS = 192, 4  # of the laser's cone: edges of what is seen are known by rings
+GOLDEN_SHARE = (3 - 5**0.5) / 2  # by which each ring is turned, of the way to its next ray
+STEPS_TO_CROSSING, STEPS_TO_TIME = 6, 10
 GAUSSIAN_CUT = 3  # of a Gaussian laser: where its light ends, over where it is 1/e2 of its peak
 
 
@@ -124,12 +125,14 @@ class Beam:
 def _cone(source: dict[str, Any], rings: int, azimuths: int) -> tuple[Any, Any]:
     """Where the rays leave the disc, and their directions."""
     axis, u, v = _frame(source["direction"])
-    middles = [(numpy.arange(count) + 0.5) / count for count in (rings, azimuths)]
-    share, azimuth = numpy.meshgrid(middles[0], 2 * numpy.pi * middles[1])
-    around = numpy.cos(azimuth.ravel())[:, None] * u + numpy.sin(azimuth.ravel())[:, None] * v
+    ring, ray = numpy.divmod(numpy.arange(rings * azimuths), azimuths)
+    azimuth = (2 * numpy.pi / azimuths * (ray + ring * GOLDEN_SHARE))[:, None]
+    around = numpy.cos(azimuth) * u + numpy.sin(azimuth) * v
     radius, divergence = source["diameter_m"] / 2, 1e-3 * source["half_divergence_mrad"]
-    # Of 1 - cos, or of the disc's area where the light is parallel.
-    share = (_of_gaussian(share.ravel(), divergence) if source["profile"] == "gaussian" else share.ravel())[:, None]
+    # Of 1 - cos, or of the disc's area where the light is parallel: even, but for a Gaussian.
+    share = (ring + 0.5)[:, None] / rings
+    if source["profile"] == "gaussian":
+        share = _of_gaussian(share, divergence)
     if divergence == 0:
         across, k = radius * numpy.sqrt(share), numpy.tile(axis, (share.size, 1))
     else:

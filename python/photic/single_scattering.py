@@ -13,7 +13,7 @@ from photic.lens import Lens
 from photic.rays import Beam
 from photic.seawater import Light
 
-POINTS = 12  # along a ray within a layer of a gate
+POINTS = 8  # along a ray within a layer of a gate
 BOTTOMLESS_M = 1e6
 
 
