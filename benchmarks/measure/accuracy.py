@@ -40,7 +40,7 @@ def measure_lidar_equation(runner):
             echoes = runner.result("run", FIRST_ORDER, "--photons", count, *estimator(name), *settings)["echoes"]
             if equation is None:
                 edges = [row["time_start_ns"] for row in echoes] + [echoes[-1]["time_end_ns"]]
-                equation = [float(x) for x in lidar_equation.echo(json.loads(shown.stdout), edges)]
+                equation = [float(x) for x in lidar_equation.echo_of(json.loads(shown.stdout), edges)]
             of_gates = ("echo", "standard_error")
             out[f"{pose}, {name}"] = {key: [row[key] for row in echoes] for key in of_gates} | {"equation": equation}
     return out
@@ -200,7 +200,7 @@ MEASUREMENTS = [
     Measurement(
         "lidar-equation", "Single scattering", "Echoes of light scattered once are those of the lidar equation.",
         "The equation (docs/theory.md, eq. 30) is integrated over the laser's cone and each gate by "
-        "`benchmarks/measure/lidar_equation.py`, which shares no code with the program. The number is the largest relative "
+        "`python/photic/single_scattering.py`, which shares no code with the program. The number is the largest relative "
         "difference of any gate. The tilted telescope sees the whole beam: the equation takes the blur of an image for round.",
         measure_lidar_equation, rows_lidar_equation,
     ),

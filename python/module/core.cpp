@@ -15,6 +15,7 @@
 #include "gil.hpp"
 #include "io/atomic_file.hpp"
 #include "io/netcdf_lock.hpp"
+#include "optics.hpp"
 #include "runs.hpp"
 #include "scene/read.hpp"
 #include "scene/scene_paths.hpp"
@@ -194,6 +195,8 @@ void add_texts(py::module_& m) {
       },
       py::arg("path"), py::arg("text"));
   py::class_<NetcdfLock>(m, "NetcdfLock").def(py::init()).def("release", &NetcdfLock::release);
+  m.def("optics_of", &optics_of, py::arg("context"), py::arg("document"), py::arg("wavelength_nm"),
+        py::arg("command"));
   m.attr("version") = PHOTIC_VERSION;
 }
 

@@ -34,6 +34,8 @@ def error_of(result: xarray.Dataset, function: Callable[[xarray.Dataset], Any]) 
                           echo_standard_error, with what has not been seen. It is known to 1/sqrt(2 (R - 1)) of R
                           groups: 6 to 9 % of runs of 64 batches and more. NaN where the value is not
                           finite whichever group is left out, and for results of a single batch
+    value_replicates      on batch_group before all others: the value without each of the groups, of which errors of
+                          whatever is made of values follow
     value_bias            an estimate of what the function's curvature adds to the value; it is not taken off
     reliable              [bool] whether all gates that the value is made of have converged, and there are
                           30 groups at least. A gate counts if the value changes with it
@@ -60,6 +62,7 @@ class Estimate:
 
     @property
     def error(self):
+        """The standard error (eq. 112)."""
         deviation = self.replicates - self.replicates.mean("batch_group", skipna=False)
         squares = (deviation**2).sum("batch_group", skipna=False)
         return numpy.sqrt((self.groups - 1) / self.groups * squares) if self.groups > 1 else squares * numpy.nan
@@ -79,6 +82,7 @@ def described(found: Estimate, name: str, **attributes: str) -> xarray.Dataset:
             name: found.value.assign_attrs(attributes),
             f"{name}_standard_error": error.assign_attrs(long_name=f"standard error of the {of}", **units),
             f"{name}_bias": found.bias.assign_attrs(long_name=f"estimate of the bias of the {of}", **units),
+            f"{name}_replicates": found.replicates.assign_attrs(long_name=f"{of} without a group of batches", **units),
             "reliable": (found.reliable & numpy.isfinite(error)).assign_attrs(
                 long_name=f"whether the {of} and its standard error can be relied on"
             ),

@@ -77,8 +77,17 @@ def open(path: str | os.PathLike[str]) -> xarray.Dataset:
 
 def of_arrays(arrays: dict[str, Any]) -> xarray.Dataset:
     """The result in arrays of the module _core: the same as photic.open of its file."""
+    return _named(_decoded(arrays))
+
+
+def optics_of_arrays(arrays: dict[str, Any]) -> xarray.Dataset:
+    """The optics in arrays of the module _core: the same as photic.open of their file."""
+    return _indexed(_decoded(arrays))
+
+
+def _decoded(arrays):
     dataset = xarray.Dataset(arrays["variables"], attrs=arrays["attributes"])
-    return _named(xarray.decode_cf(dataset, decode_timedelta=False).load())
+    return xarray.decode_cf(dataset, decode_timedelta=False).load()
 
 
 def scene_of(result):

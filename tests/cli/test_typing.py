@@ -12,7 +12,11 @@ ALLOWED = r"""
 photic\._core\.(Context|Document|NetcdfLock|Output|Progress|Run)
 photic\._core\.(Document|Progress)\.__init__
 """
-TYPED = ["photic", "photic.core", "photic.errors", "photic.locks", "photic.scene", "photic.simulation"]
+TYPED = [
+    "photic", "photic.closed_form", "photic.core", "photic.errors", "photic.first_order", "photic.gate_scale", "photic.lens",
+    "photic.locks", "photic.optics", "photic.phases", "photic.range_correction", "photic.rays", "photic.scene", "photic.seawater",
+    "photic.simulation", "photic.single_scattering",
+]  # fmt: skip
 
 
 def checked(tmp_path, *arguments):
