@@ -131,6 +131,14 @@ def test_instruments_that_are_refused(function, what):
     assert str(refused.value).startswith(f"{function}: ") and reason in str(refused.value)
 
 
+def test_gates_in_time_under_air_are_refused():
+    scene = package.Scene(QUICK_SCENE)
+    scene.update({"atmosphere": {"profile": "us-standard"}, "gates": {"start_ns": 70, "stop_ns": 250, "step_ns": 15}})
+    with pytest.raises(package.Error, match="overlap: the air delays pulses by what is not known here"):
+        package.overlap(scene)
+    assert package.range_corrected(scene.run(photons=200)).sizes["gate"] == 12
+
+
 def test_a_filter_given_as_a_table_has_no_known_light(tmp_path):
     (tmp_path / "filter.csv").write_text("wavelength_nm,transmission\n640,0.5\n660,0.9\n")
     scene = package.Scene(QUICK_SCENE)
