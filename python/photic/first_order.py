@@ -56,6 +56,7 @@ def lidar_equation(scene: Union[Scene, File]) -> xarray.Dataset:
 
     Sources: docs/theory.md, eq. 20, 25, 28, 30 to 32, 34 and 35; Measures 1983, Laser Remote Sensing, Wiley.
     """
+    scene = optics.scene_from(scene)
     table, parts = _described(scene, "lidar_equation")
     expect_clear_way(parts, "lidar_equation")
     lights = [_emitted(table, parts, channel["process"]) for channel in parts["channel"]]

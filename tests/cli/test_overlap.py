@@ -211,6 +211,13 @@ def test_what_is_no_result(thing):
         package.range_corrected(thing)
 
 
+def test_a_telescope_that_the_scene_does_not_have():
+    run = package.Scene.new("three-layers").run(photons=500)
+    renamed = run.assign_coords(telescope=["coaxal", "beside"])
+    with pytest.raises(package.Error, match=r"the result's scene has no telescope 'coaxal' \(did you mean 'coaxial'\?\)"):
+        package.range_corrected(renamed)
+
+
 # Air delays pulses, and the gates with them. Seen red: with places by the time of gates.
 def test_air_does_not_move_the_places_of_gates():
     factors = []
