@@ -18,6 +18,7 @@ SHARES = {  # of orders in all light
 PHOTONS = {"clear": 400_000, "sediments": 400_000, "CDOM": 200_000}
 CUT = [1, 2, 5]  # max_order of runs of their own
 DEEPEST_M, STEP_M = 40, 2
+DRAWN_M = {"clear": 40, "sediments": 12, "CDOM": 25}
 
 
 def scene_of(water, optics):
@@ -100,17 +101,17 @@ def make(effort):
 
 
 def draw(canvas, results):
-    panels = canvas.subplots(2, len(results), sharey=True)
+    panels = canvas.subplots(2, len(results))
     for (above, below), (water, result) in zip(panels.T, results.items()):
         one = result.isel(telescope=0, channel=0)
         for order in (1, 2, 3, 4, 5):
             above.plot(one.echo_by_order.sel(order=order), one.gate_depth, label=f"order {order}")
         above.plot(one.echo_by_order.sel(order=6), one.gate_depth, ":", label="beyond")
         above.plot(one.echo, one.gate_depth, "k", lw=1, label="all")
-        below.plot(one.echo.sum() * 0 + one.echo_by_depth.sum("gate"), one.depth, "k", lw=1, label="by depth of the last scattering")
+        below.plot(one.echo_by_depth.sum("gate"), one.depth, "k", lw=1, label="by depth of the last scattering")
         below.plot(one.echo_by_order.sel(order=1) / STEP_M * float(one.depth[1] - one.depth[0]), one.gate_depth, label="order 1, by time")
         for panel in (above, below):
-            panel.set(xscale="log", ylim=(DEEPEST_M, 0))
+            panel.set(xscale="log", ylim=(DRAWN_M[water], 0))
             panel.set_xlim(left=float(one.echo.max()) * 1e-8)
         above.set_title(water, fontsize=9)
     panels[0, 0].set_ylabel("depth by time [m]")
