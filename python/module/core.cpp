@@ -15,6 +15,7 @@
 #include "gil.hpp"
 #include "io/atomic_file.hpp"
 #include "io/netcdf_lock.hpp"
+#include "io/netcdf_reader.hpp"
 #include "runs.hpp"
 #include "scene/read.hpp"
 #include "scene/scene_paths.hpp"
@@ -155,8 +156,8 @@ void add_runs(py::module_& m) {
                       const std::string& command, const std::optional<Output>& output) {
             expect_isa(isa);
             return std::make_unique<Run>(
-                context, document, session::RunRequest{threads, engine, isa, earlier, command},
-                output);
+                context, document,
+                session::RunRequest{threads, engine, isa, earlier, command, keywords()}, output);
           }),
           py::arg("context"), py::arg("document"), py::kw_only(), py::arg("threads"),
           py::arg("engine"), py::arg("isa"), py::arg("earlier"), py::arg("command"),
@@ -193,6 +194,11 @@ void add_texts(py::module_& m) {
         without_gil([&] { io::write_atomically(path, text); });
       },
       py::arg("path"), py::arg("text"));
+  m.def(
+      "expect_netcdf",
+      [](const std::string& path) { without_gil([&] { const io::NetcdfReader reader(path); }); },
+      py::arg("path"));
+  m.def("renew_netcdf_lock", &io::NetcdfLock::renew);
   py::class_<NetcdfLock>(m, "NetcdfLock").def(py::init()).def("release", &NetcdfLock::release);
   m.attr("version") = PHOTIC_VERSION;
 }

@@ -9,8 +9,10 @@ from typing import Any
 import xarray
 from xarray.backends.netCDF4_ import NETCDF4_PYTHON_LOCK
 
-from photic.errors import Error
+from photic.core import core, is_there
+from photic.errors import Error, SceneError
 from photic.locks import netcdf_lock
+from photic.names import file_name
 
 FORMAT = 3  # the newest layout this package reads
 
@@ -56,7 +58,7 @@ def open(path: str | os.PathLike[str]) -> xarray.Dataset:
     Raises photic.Error if there is no such file or it was not written by Photic. Source: docs/guide.md,
     "Results".
     """
-    path = os.fspath(path)
+    path = os.fsdecode(file_name("path", path))
     dataset = _load(path)
     if "photic_format" not in dataset.attrs:
         raise Error(
@@ -147,9 +149,21 @@ def _indexed(dataset):
     return dataset.set_coords(bounds)
 
 
+def _expect_netcdf(path):
+    """Raises photic.Error for what the library does not open: HDF5 may crash where xarray does."""
+    if not is_there():
+        return
+    try:
+        with netcdf_lock:
+            core().expect_netcdf(os.fsencode(path))
+    except SceneError as error:
+        raise Error(str(error)) from None
+
+
 def _load(path):
     if not os.path.isfile(path):
         raise Error(f"{path}: is a directory" if os.path.isdir(path) else f"{path}: no such file")
+    _expect_netcdf(path)
     try:
         # Not with xarray's lock for each array: it is held already, and bears no second time.
         options = {"engine": "netcdf4", "decode_timedelta": False, "lock": False}

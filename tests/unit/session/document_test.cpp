@@ -114,7 +114,7 @@ TEST(Document, OfValuesIsThatOfTheirText) {
 /// The airborne starter, its sea of a layer that is cut into many and one more.
 Document cut_sea(const std::string& sea) {
   const std::string text = scene::starter_scene("airborne");
-  const auto before = text.find("[sea]"), after = text.find("[gates]");
+  const auto before = text.find("[[sea.layer]]"), after = text.find("[gates]");
   return Document(test::context(), {text.substr(0, before) + sea + text.substr(after), "a", ""});
 }
 
@@ -142,14 +142,13 @@ std::string layers_of(const std::string& path) {
 // Seen red: with the layers by default counted as they are cut.
 TEST(Document, HasDefaultsOfTheLayersThatItHas) {
   const Document one = cut_sea("[sea]" + layers_of("sea.layer"));
-  const Document many = cut_sea("[sea.boundary]\nangle_deg = 0\n[[sea.column]]\nend_m = 0" +
-                                layers_of("sea.column.layer") + "[[sea.column]]" +
-                                layers_of("sea.column.layer"));
+  const Document many = cut_sea("[[sea.column]]\nx_max_m = 1" + layers_of("sea.column.layer") +
+                                "[[sea.column]]" + layers_of("sea.column.layer"));
   for (const auto& [scene, sea] : {std::pair(&one, "sea."), std::pair(&many, "sea.column.0."),
                                    std::pair(&many, "sea.column.column1.")}) {
     SCOPED_TRACE(sea);
     const auto at = [&](const std::string& path) { return text_at(*scene, sea + path); };
-    EXPECT_GT(scene->reading().multiples.begin()->second.front(), 2U);
+    EXPECT_GT(scene->reading().multiples.rbegin()->second.front(), 2U);
     EXPECT_EQ(at("layer.0.cdom_a440_per_m"), "0.07");
     EXPECT_EQ(at("layer.1.cdom_a440_per_m"), "0.0");
     EXPECT_EQ(at("layer.layer1.cdom_a440_per_m"), "0.0");
@@ -170,13 +169,13 @@ TEST(Document, HasDefaultsOfTheChannelsAndEnvironmentsThatItHas) {
     steps.add(key, scene::to_node(nm));
   channels[0].add("name", scene::to_node("red"));
   channels[0].add("centre_nm", steps);
-  channels[0].add("width_nm", scene::to_node(5.0));
+  channels[0].add("fwhm_nm", scene::to_node(5.0));
   channels[1].add("name", scene::to_node("green"));
   channels[1].add("process", scene::to_node("elastic"));
   values.find("channel")->value = channels;
   const Document ship(test::context(), values, starters);
   EXPECT_EQ(ship.reading().scene.channel.size(), 6U);
-  EXPECT_EQ(text_at(ship, "channel.1.width_nm"), "none");
+  EXPECT_EQ(text_at(ship, "channel.1.fwhm_nm"), "none");
   EXPECT_EQ(text_at(ship, "channel.2.name"), "none");
 }
 
