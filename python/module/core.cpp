@@ -15,7 +15,7 @@
 #include "gil.hpp"
 #include "io/atomic_file.hpp"
 #include "io/netcdf_lock.hpp"
-#include "io/netcdf_reader.hpp"
+#include "io/netcdf_probe.hpp"
 #include "runs.hpp"
 #include "scene/read.hpp"
 #include "scene/scene_paths.hpp"
@@ -196,7 +196,7 @@ void add_texts(py::module_& m) {
       py::arg("path"), py::arg("text"));
   m.def(
       "expect_netcdf",
-      [](const std::string& path) { without_gil([&] { const io::NetcdfReader reader(path); }); },
+      [](const std::string& path) { without_gil([&] { io::expect_netcdf(path); }); },
       py::arg("path"));
   m.def("renew_netcdf_lock", &io::NetcdfLock::renew);
   py::class_<NetcdfLock>(m, "NetcdfLock").def(py::init()).def("release", &NetcdfLock::release);

@@ -154,8 +154,7 @@ def _expect_netcdf(path):
     if not is_there():
         return
     try:
-        with netcdf_lock:
-            core().expect_netcdf(os.fsencode(path))
+        core().expect_netcdf(os.fsencode(path))
     except SceneError as error:
         raise Error(str(error)) from None
 

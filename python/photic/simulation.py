@@ -106,13 +106,20 @@ def start(
             threads=int(threads or 0),
             engine=engine or "",
             isa="" if isa is None else text_of("isa", isa),
-            earlier=b"" if continue_from is None else file_name("continue_from", continue_from),
+            earlier=b"" if continue_from is None else _earlier(continue_from),
             command=command,
             output=_output(output, scene_file, force, checkpoint),
         )
     except ValueError as error:
         raise Error(f"isa: {error}") from None
     return Run(work)
+
+
+def _earlier(path: File) -> bytes:
+    """The name of a result that the library opens. Raises photic.Error."""
+    name = file_name("continue_from", path)
+    core().expect_netcdf(name)
+    return name
 
 
 def _output(output: File | None, scene_file: str | None, force: bool, checkpoint: Number | None) -> Any:
