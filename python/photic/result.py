@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numbers
 import os
 import tomllib
 from typing import Any
@@ -64,6 +65,8 @@ def open(path: str | os.PathLike[str]) -> xarray.Dataset:
         raise Error(
             f"{path}: a netCDF file, but not a result of Photic: it has no attribute photic_format"
         )
+    if not isinstance(dataset.attrs["photic_format"], numbers.Real):
+        raise Error(f"{path}: a damaged result: its photic_format is no number")
     if dataset.attrs["photic_format"] > FORMAT:
         raise Error(
             f"{path}: written by a newer Photic (result format {dataset.attrs['photic_format']}; "
@@ -75,6 +78,8 @@ def open(path: str | os.PathLike[str]) -> xarray.Dataset:
         return _named(dataset)
     except KeyError as error:
         raise Error(f"{path}: a result of Photic that lacks {error}") from error
+    except (AttributeError, IndexError, TypeError, ValueError) as error:
+        raise Error(f"{path}: a damaged result of Photic: {error}") from error
 
 
 def of_arrays(arrays: dict[str, Any]) -> xarray.Dataset:
@@ -170,5 +175,5 @@ def _load(path):
             return file.load()
     except PermissionError as error:
         raise Error(f"{path}: {error.strerror}", exit_code=1) from error
-    except (OSError, ValueError, RuntimeError) as error:
+    except Exception as error:  # of a damaged file it may be any
         raise Error(f"{path}: not a netCDF file, or a damaged one (results end in .nc)") from error
