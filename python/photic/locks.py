@@ -37,8 +37,9 @@ class NetcdfLock:
         """Makes it free in a process that has just been forked, or has it refuse where another thread
         may have left netCDF amid its work."""
         was_free = core().renew_netcdf_lock() if is_there() else True
-        elsewhere = not was_free or NETCDF4_PYTHON_LOCK.locked()
-        self._is_lost = elsewhere and not self._of_thread.held
+        if xarrays_is_free := NETCDF4_PYTHON_LOCK.acquire(blocking=False):
+            NETCDF4_PYTHON_LOCK.release()
+        self._is_lost = not (was_free and xarrays_is_free) and not self._of_thread.held
         self._of_thread.held.clear()
 
     def __enter__(self) -> None:

@@ -173,6 +173,8 @@ def _load(path):
         options = {"engine": "netcdf4", "decode_timedelta": False, "lock": False}
         with netcdf_lock, NETCDF4_PYTHON_LOCK, xarray.open_dataset(path, **options) as file:
             return file.load()
+    except Error:
+        raise
     except PermissionError as error:
         raise Error(f"{path}: {error.strerror}", exit_code=1) from error
     except Exception as error:  # of a damaged file it may be any
