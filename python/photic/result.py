@@ -65,7 +65,8 @@ def open(path: str | os.PathLike[str]) -> xarray.Dataset:
         raise Error(
             f"{path}: a netCDF file, but not a result of Photic: it has no attribute photic_format"
         )
-    if not isinstance(dataset.attrs["photic_format"], numbers.Real):
+    is_number = isinstance(dataset.attrs["photic_format"], numbers.Real)
+    if not is_number:
         raise Error(f"{path}: a damaged result: its photic_format is no number")
     if dataset.attrs["photic_format"] > FORMAT:
         raise Error(

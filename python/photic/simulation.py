@@ -208,9 +208,9 @@ class Run:
 
     Its functions may be called from any thread. The end of `with` stops it, and so does the end of
     Python, or of the last name for it: then it ends within a fraction of a second. result() writes the
-    `output`. Once a run has ended, and until result() is called, others may write there; then the result
-    goes beside what they wrote if that took longer, with a warning. A process that was forked has no part
-    in it.
+    `output`: of a run that has ended and is not asked for it, only checkpoints are left. Others may write
+    there until then; the result goes beside what another run is writing, with a warning. A process that
+    was forked has no part in it.
     """
 
     def __init__(self, work: compiled.Run) -> None:
