@@ -209,17 +209,10 @@ class Run {
   /// (arrays, file, why it could not be written), the same at every call; None if the run was
   /// stopped before there was anything.
   [[nodiscard]] py::object finish() {
-    if (end_) return *end_;
-    auto end = without_gil([&]() -> std::optional<RunAtWork::End> {
-      try {
-        return work_->finish();
-      } catch (const run::StoppedBeforeFirstBatch&) {
-        return std::nullopt;
-      }
-    });
-    if (!end) return py::none();
-    end_ = py::make_tuple(end->arrays->hand_over(), text_of(end->path), text_of(end->failure));
-    return *end_;
+    if (!end_) end_ = ended();
+    if (!*end_) return py::none();
+    const RunAtWork::End& end = **end_;
+    return py::make_tuple(end.arrays->hand_over(), text_of(end.path), text_of(end.failure));
   }
 
   /// The lines for the user since the last call.
@@ -230,9 +223,21 @@ class Run {
   }
 
  private:
+  using End = std::optional<RunAtWork::End>;
+  /// None if the run was stopped before there was anything.
+  [[nodiscard]] End ended() {
+    return without_gil([&]() -> End {
+      try {
+        return work_->finish();
+      } catch (const run::StoppedBeforeFirstBatch&) {
+        return std::nullopt;
+      }
+    });
+  }
+
   pid_t process_ = ::getpid();
   std::unique_ptr<RunAtWork> work_;
-  std::optional<py::object> end_;
+  std::optional<End> end_;
 };
 
 }  // namespace photic::python

@@ -237,7 +237,7 @@ class Run:
     def progress(self) -> compiled.Progress:
         """How far the run is, a photic.Progress: as of the last batch end, and at no cost."""
         work = self._work
-        return self._last if work is None else work.progress()
+        return self._last if work is None or os.getpid() != PROCESS else work.progress()
 
     def so_far(self) -> xarray.Dataset | None:
         """The result so far, as photic.open gives results, with the attribute partial = 1. None before
@@ -250,7 +250,7 @@ class Run:
     def stop(self) -> None:
         """Asks the run to end at once, with what there is; result() has that."""
         work = self._work
-        if work is not None:
+        if work is not None and os.getpid() == PROCESS:
             work.stop()
 
     def result(self) -> xarray.Dataset:

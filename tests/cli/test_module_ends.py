@@ -131,7 +131,7 @@ run = scene.start(photons=1e15)
 def leave():
     with run: pass
     print("left")
-for work in (run.result, run.end, run.so_far, leave): forked(work)
+for work in (run.result, run.end, run.so_far, leave, run.stop, lambda: run.progress): forked(work)
 run.stop()
 run.end()
 scene.run(photons=100, output="a.nc")
