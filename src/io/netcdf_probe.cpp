@@ -148,7 +148,7 @@ std::string outcome_elsewhere(const std::string& path) {
   const pid_t child = ::fork();
   if (child == 0) report_outcome(path, ends[1]);
   ::close(ends[1]);
-  const std::string out = child < 0 ? std::string(1, good) : read_all(ends[0]);
+  std::string out = child < 0 ? std::string(1, good) : read_all(ends[0]);
   ::close(ends[0]);
   while (child > 0 && ::waitpid(child, nullptr, 0) < 0 && errno == EINTR) continue;
   return out;
