@@ -89,7 +89,6 @@ def test_a_run_that_has_ended_lets_others_write(quick, tmp_path, end):
     assert not list(tmp_path.glob(".*.lock"))
 
 
-# Seen red: with the file taken back without its lock.
 def test_a_result_goes_beside_what_another_run_is_writing(quick, tmp_path):
     run = quick.start(photons=2000, output=tmp_path / "a.nc")
     by_itself(run)
@@ -202,7 +201,7 @@ def test_truths_and_numbers_are_not_mixed_up(quick, tmp_path, name):
         quick.run(**{"photons": 100, "output": tmp_path / "a.nc", name: TRUTHS[name]})
 
 
-# Seen red: with False alone for an end.
+# Seen red, as a run without an end: with False alone for one.
 def test_a_false_of_numpy_ends_a_run(quick):
     echo = quick.run(photons=FOR_EVER, progress=lambda progress: numpy.bool_(progress.photons < 1000))
     assert echo.attrs["partial"] == 1

@@ -185,7 +185,7 @@ def test_python_goes_on_meanwhile():
         waiting.join()
 
 
-# Four times the environments take four times as long. Seen red, sixteen times: with phase functions looked at anew for each of them.
+# Four times the environments take four times as long: phase functions are not looked at anew for each of them.
 def test_environments_cost_by_their_number():
     scene = package.Scene.new("ship")
 
