@@ -125,7 +125,7 @@ def oil_thickness(
     else:
         out = out.assign_attrs(formula=formula)
     axes = ("batch_group", "telescope", "gate")
-    return out.assign_coords(oily.echo.coords).transpose(*axes, missing_dims="ignore")
+    return out.transpose(*axes, missing_dims="ignore")
 
 
 def _of_one_run(oily, environment, clean, thickness):
@@ -134,12 +134,12 @@ def _of_one_run(oily, environment, clean, thickness):
     def function(echoes):
         return thickness(_in(environment, echoes).echo, _in(clean, echoes).echo)
 
-    return described(estimate(oily.reset_coords(drop=True), function), "thickness", **ATTRIBUTES)
+    return described(estimate(oily, function), "thickness", **ATTRIBUTES)
 
 
 def _of_two_runs(oily, environment, water, thickness, um):
     """The thickness from echoes that have no photons in common, to the first order in their errors."""
-    one = _in(environment, oily.reset_coords(drop=True))
+    one = _in(environment, oily)
     value = thickness(one.echo, water.echo)
     relative = numpy.hypot(one.echo_standard_error / one.echo, water.echo_standard_error / water.echo)
     error = (um * relative).where(value.notnull())
@@ -153,7 +153,7 @@ def _in(environment, dataset):
         return dataset
     prefix = "environment_"
     there = {f"{prefix}{name}": name for name in OF_ECHO if f"{prefix}{name}" in dataset}
-    return dataset[list(there)].sel(environment=environment, drop=True).reset_coords(drop=True).rename(there)
+    return dataset[list(there)].sel(environment=environment, drop=True).rename(there)
 
 
 def _with_error_of_measurement(out, own):
@@ -189,7 +189,7 @@ def _measured(result, ratio, error, formula):
 
 
 def _by_gate(result, name, values):
-    """Numbers as a DataArray that fits the result, with its order of telescopes."""
+    """Numbers as a DataArray that fits the result."""
     if not isinstance(values, xarray.DataArray):
         if numpy.ma.isMaskedArray(values):
             values = values.astype(float).filled(numpy.nan)
@@ -200,8 +200,6 @@ def _by_gate(result, name, values):
             f"{name}: give a number, one for each of the {result.sizes['gate']} gates, or a DataArray on "
             "telescope and gate"
         )
-    if "telescope" in values.dims:
-        values = values.sel(telescope=result.telescope)
     return values.reset_coords(drop=True).astype(float)
 
 

@@ -35,7 +35,7 @@ def oily():
 
 
 # Each of three gates, within 4 errors, is passed by chance in 1 of 5000 cases.
-# Seen red: 
+# Seen red: with both errors as independent; with the scene's echo for that of the environment.
 @pytest.mark.parametrize("environment", FILMS_UM)
 def test_films_of_one_run(oily, environment):
     film_um = FILMS_UM[environment]
@@ -46,6 +46,7 @@ def test_films_of_one_run(oily, environment):
     assert (error < 1e-3).all()  # of the same photons; those of echoes alone would be above 6e-3
 
 
+# Seen red: without the clean echo's error; with the scene's echo for that of the environment.
 def test_films_beside_the_clean_sea_of_another_run(oily):
     clean = run(2, oil=CHANGES["oil"] | {"thickness_um": 0.0})
     for environment, film_um in FILMS_UM.items():
@@ -55,7 +56,7 @@ def test_films_beside_the_clean_sea_of_another_run(oily):
 
 
 # A measured ratio that is E / W of an environment gives that environment's film, whatever film it is compared with.
-# Seen red: 
+# Seen red: with the scene's echo, or its film, for that of the environment.
 @pytest.mark.parametrize("environment", FILMS_UM)
 def test_a_ratio_of_the_run_itself(oily, environment):
     thick = oily.environment_echo.sel(environment="thick", channel="raman")

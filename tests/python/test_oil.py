@@ -64,14 +64,14 @@ def test_shape_coordinates_and_units(oily, clean, by_run):
     assert found.equals(photic.oil_thickness(oily.transpose(), clean if by_run else "clean"))
 
 
-# Seen red: 
+# Seen red: with the clean sea's echo left as it is whatever group is left out; with both errors as independent.
 @pytest.mark.parametrize("correlation", [-0.5, 0.0, 0.9, 0.99])
 def test_errors_of_one_runs_echoes_are_correlated(correlation):
     oily, _, _ = drawn_gates(20_000, numpy.array([0.02, 0.015]), correlation)
     assert agrees(photic.oil_thickness(oily, "clean"))
 
 
-# Seen red: 
+# Seen red: without the clean echo's error; with both added up; with groups that must be there.
 def test_errors_of_another_run_are_not():
     oily, bare, w = drawn_gates(20_000, numpy.array([0.02, 0.015]), 0.0)
     clean = run_over_the_sea(bare, w)
@@ -82,7 +82,7 @@ def test_errors_of_another_run_are_not():
     assert same(found.thickness_standard_error, expected)
 
 
-# Seen red: 
+# Seen red: as those above.
 def test_echoes_that_are_off_together_have_no_error(oily):
     one = with_environments(oily.drop_dims("environment"), {"clean": CLEAN_ECHO}, correlation=1.0)
     found = photic.oil_thickness(one, "clean")
@@ -90,7 +90,7 @@ def test_echoes_that_are_off_together_have_no_error(oily):
     assert found.reliable.values.all()
 
 
-# Seen red: 
+# Seen red: with the value and its error alone.
 def test_what_groups_show_of_one_run(oily, clean):
     found = photic.oil_thickness(oily, "clean")
     assert found.thickness_replicates.dims == ("batch_group", "telescope", "gate")
@@ -100,7 +100,7 @@ def test_what_groups_show_of_one_run(oily, clean):
     assert set(photic.oil_thickness(oily, clean)) == set(found) - {"thickness_bias", "thickness_replicates"}
 
 
-# Seen red: 
+# Seen red: with both errors as independent, which needs no groups.
 def test_without_groups_the_errors_of_one_run_are_not_known(oily):
     reason = "a result without echo_by_group: run its scene again with simulation.keep_groups = true, and with no "
     reason += "more gates, channels and environments than keep it within 64 MB"

@@ -30,10 +30,11 @@ def with_films(oily, sets=None, **options):
     return with_environments(oily.drop_dims("environment"), echoes, sets=SETS | (sets or {}), **options)
 
 
-# Seen red: 
+# Seen red: with the scene's echo, or its flags; with the clean sea of the first environment; with the coordinates of an
+# environment kept.
 @pytest.mark.parametrize("by_run", [False, True], ids=["environment", "another run"])
 def test_the_film_of_an_environment(oily, clean, by_run):
-    films = with_films(oily)
+    films = with_films(oily).assign_coords({"oil.thickness_um": ("environment", [THICK_UM, 0.0, FILM_UM])})
     films.environment_converged[0, 1, 1, 2] = False
     films.converged[0] = False
     found = photic.oil_thickness(films, clean if by_run else "clean", environment="thick")
@@ -43,7 +44,7 @@ def test_the_film_of_an_environment(oily, clean, by_run):
     assert found.coords.to_dataset().equals(own.coords.to_dataset())
 
 
-# Seen red: 
+# Seen red: with the thickness of the scene's film; with what the environment sets alone.
 @pytest.mark.parametrize(("name", "film_um"), [("thick", THICK_UM), ("as the scene", FILM_UM)])
 def test_a_measured_ratio_is_compared_with_that_over_the_environments_film(oily, name, film_um):
     films = with_films(oily)
@@ -53,7 +54,8 @@ def test_a_measured_ratio_is_compared_with_that_over_the_environments_film(oily,
     assert same(found.thickness[0], film_um + 3.0)
 
 
-# The scene's echo is neither of both, and has no part in it. Seen red: 
+# The scene's echo is neither of both, and has no part in it.
+# Seen red: with that echo; with the clean sea's left as it is whatever group is left out; with both errors as independent.
 @pytest.mark.parametrize("correlation", [-0.5, 0.9, 0.99])
 def test_errors_of_two_environments_are_correlated(correlation):
     oily, bare, w = drawn_gates(20_000, numpy.array([0.02, 0.015]), correlation)
@@ -65,7 +67,7 @@ def test_errors_of_two_environments_are_correlated(correlation):
     assert agrees(photic.oil_thickness(films, "clean", environment="thick"))
 
 
-# Seen red: 
+# Seen red: with the error of the scene's echo; without that of the clean sea; with both added up.
 def test_errors_of_an_environment_and_another_run_are_not(oily, clean):
     films = with_films(oily, errors=0.04 * numpy.stack([thick_echo(), CLEAN_ECHO, CLEAN_ECHO]))
     found = photic.oil_thickness(films, clean, environment="thick")
@@ -79,7 +81,7 @@ def test_unknown_environments(oily, clean):
     assert refused(oily.drop_dims("environment"), clean, environment="thick") == reason
 
 
-# Seen red: 
+# Seen red: without the look at it; with a look at all keys; with keys refused whatever their values are.
 def test_the_oil_of_environments_is_the_scenes(oily):
     other = with_films(oily, {"thick": '"oil.thickness_um" = 5.0, "oil.absorption_factor" = 2.0'})
     assert refused(other, "clean", environment="thick") == (
@@ -91,7 +93,7 @@ def test_the_oil_of_environments_is_the_scenes(oily):
         assert same(photic.oil_thickness(films, "clean", environment="thick").thickness, THICK_UM)
 
 
-# Seen red: 
+# Seen red: without either look at the thickness; with what environments set alone.
 def test_environments_with_a_film_and_without(oily):
     films = with_films(oily)
     reason = "environment: 'clean' has no film of oil: its oil.thickness_um is 0"
