@@ -124,36 +124,31 @@ def oil_thickness(
         out = _with_error_of_measurement(out, um * measured.error / measured.ratio)
     else:
         out = out.assign_attrs(formula=formula)
-    axes = ("batch_group", "telescope", "gate")
-    return out.transpose(*axes, missing_dims="ignore")
+    return out.transpose("batch_group", "telescope", "gate", missing_dims="ignore")
 
 
 def _of_one_run(oily, environment, clean, thickness):
     """The thickness from echoes whose photons are the same, with what groups of batches show of it."""
 
     def function(echoes):
-        return thickness(_in(environment, echoes).echo, _in(clean, echoes).echo)
+        return thickness(_in(environment, echoes), _in(clean, echoes))
 
     return described(estimate(oily, function), "thickness", **ATTRIBUTES)
 
 
 def _of_two_runs(oily, environment, water, thickness, um):
     """The thickness from echoes that have no photons in common, to the first order in their errors."""
-    one = _in(environment, oily)
-    value = thickness(one.echo, water.echo)
-    relative = numpy.hypot(one.echo_standard_error / one.echo, water.echo_standard_error / water.echo)
-    error = (um * relative).where(value.notnull())
-    return with_error(value, error, one.converged & water.converged, "thickness", **ATTRIBUTES)
+    echo, error, converged = (_in(environment, oily, name) for name in OF_ECHO)
+    value = thickness(echo, water.echo)
+    relative = numpy.hypot(error / echo, water.echo_standard_error / water.echo)
+    return with_error(value, (um * relative).where(value.notnull()), converged & water.converged, "thickness", **ATTRIBUTES)
 
 
-def _in(environment, dataset):
-    """The echo of an environment with its error and flag, as far as they are there, under the names of the
-    scene's own; without a name those."""
+def _in(environment, dataset, name="echo"):
+    """A variable of the scene's own echo, or of that of an environment."""
     if environment is None:
-        return dataset
-    prefix = "environment_"
-    there = {f"{prefix}{name}": name for name in OF_ECHO if f"{prefix}{name}" in dataset}
-    return dataset[list(there)].sel(environment=environment, drop=True).rename(there)
+        return dataset[name]
+    return dataset[f"environment_{name}"].sel(environment=environment, drop=True)
 
 
 def _with_error_of_measurement(out, own):
@@ -240,7 +235,7 @@ def _film_sought(result, environment):
     own = scene_of(result)["oil"]
     if environment is None:
         return own["thickness_um"]
-    expect_environment(result, environment)
+    expect_environment(result, str(environment))
     oil = _oil_in(result, environment)
     other = [key for key in oil if key not in FREE and oil[key] != own.get(key)]
     if other:

@@ -105,6 +105,8 @@ def test_without_groups_the_errors_of_one_run_are_not_known(oily):
     reason = "a result without echo_by_group: run its scene again with simulation.keep_groups = true, and with no "
     reason += "more gates, channels and environments than keep it within 64 MB"
     assert refused(oily.drop_dims("batch_group"), "clean") == reason
+    reason = "environment_echo: its groups of batches are not kept; an error is known of echo and environment_echo"
+    assert refused(oily.drop_vars("environment_echo_by_group"), "clean") == reason
 
 
 # Seen red: with 0 taken for light; with either echo not looked at; with the flags alone in `reliable`.

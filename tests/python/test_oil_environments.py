@@ -75,8 +75,10 @@ def test_errors_of_an_environment_and_another_run_are_not(oily, clean):
     assert same(found.thickness_standard_error, numpy.broadcast_to(expected, (2, 3)))
 
 
+# Seen red: with names that are no text taken as they are.
 def test_unknown_environments(oily, clean):
     assert refused(with_films(oily), "clean", environment="thik") == "result: there is no environment 'thik' (did you mean 'thick'?)"
+    assert refused(with_films(oily), "clean", environment=["thick"]).startswith("result: there is no environment \"['thick']\"")
     reason = "result: there is no environment 'thick', nor any other: add [[environment]] to the scene"
     assert refused(oily.drop_dims("environment"), clean, environment="thick") == reason
 
