@@ -79,6 +79,13 @@ def test_few_groups_are_not_relied_on():
     assert numpy.isnan(one.value_standard_error).all() and not one.reliable.any()
 
 
+# Seen red: with those coordinates alone that the echoes have the axes of.
+def test_a_function_has_all_coordinates():
+    result = result_of(correlated()).assign_coords(bounds=(("gate", "bnds"), numpy.arange(8.0).reshape(4, 2)))
+    found = photic.error_of(result, lambda e: (e.echo * e.bounds.isel(bnds=1)).sum("gate"))
+    assert numpy.isfinite(found.value_standard_error).all()
+
+
 def test_gates_without_light_are_known_to_have_none():
     means = correlated()
     means[..., 3] = 0
