@@ -27,20 +27,19 @@ def _over_oil(seed, **changes):
 
 
 def _under(result, thickness):
-    """The result as if that environment were the scene. What is known of a film beside its thickness
-    is the same."""
-    one = result.sel(environment=f"{thickness} um")
-    return result.assign(
-        echo=one.environment_echo,
-        echo_standard_error=one.environment_echo_standard_error,
-        converged=one.environment_converged,
-    )
+    """The result with the echo of that environment, and its error, in the place of the scene's."""
+    one = result.sel(environment=_name(thickness))
+    return result.assign(echo=one.environment_echo, echo_standard_error=one.environment_echo_standard_error)
+
+
+def _name(thickness):
+    return f"{thickness} um"
 
 
 def _runs():
     """The clean sea, and for each oil a run whose environments are films of it. They have no photons
     in common with the clean sea, as two places have none."""
-    films = [{"name": f"{d} um", "set": {"oil.thickness_um": d}} for d in THICKNESSES]
+    films = [{"name": _name(d), "set": {"oil.thickness_um": d}} for d in THICKNESSES]
     films.append({"name": "clean", "set": {"oil.thickness_um": 0}})
     changes = {"environment": films}
     clean = _over_oil(1, **{"oil.thickness_um": 0.0})
@@ -54,10 +53,9 @@ def oil():
     right.plot([0.05, 20], [0.05, 20], color="0.5", linewidth=0.9, linestyle="--")
     for (name, result), colour in zip(runs.items(), OILS.values()):
         _print(name, result, clean)
-        films = [_under(result, d) for d in THICKNESSES]
-        _missing(left, name, result, films, clean, colour)
+        _missing(left, name, result, clean, colour)
         for formula, look in (("paper", {"markerfacecolor": "white"}), ("interfaces", {})):
-            found = [photic.oil_thickness(film, clean, formula=formula) for film in films]
+            found = [_found(result, clean, d, formula=formula) for d in THICKNESSES]
             values = [float(one.thickness) for one in found]
             errors = [float(one.thickness_standard_error) for one in found]
             right.errorbar(THICKNESSES, values, errors, color=colour, **_marks(), **look)
@@ -76,14 +74,18 @@ def oil():
     return drawing
 
 
+def _found(result, clean, thickness, **options):
+    return photic.oil_thickness(result, clean, environment=_name(thickness), **options)
+
+
 def _marks():
     return {"linestyle": "none", "marker": "o", "markersize": 5}
 
 
-def _missing(panel, name, result, films, clean, colour):
+def _missing(panel, name, result, clean, colour):
     """Raman light over that of the clean sea: points, and the formula as a line."""
     water = clean.sel(channel="raman")
-    parts = [film.sel(channel="raman") for film in films]
+    parts = [_under(result, d).sel(channel="raman") for d in THICKNESSES]
     values = [float(part.echo / water.echo) for part in parts]
     relative = [float(numpy.hypot(*(one.echo_standard_error / one.echo for one in (part, water)))) for part in parts]
     errors = numpy.multiply(values, relative)
@@ -108,8 +110,8 @@ def _print(name, result, clean):
     for d in THICKNESSES:
         film = _under(result, d)
         e, w = (one.echo.squeeze() for one in (film, clean))
-        with_, without = (photic.oil_thickness(film, clean, formula=each) for each in ("interfaces", "paper"))
-        seen = photic.oil_thickness(film, clean, channel="filter")
+        with_, without = (_found(result, clean, d, formula=each) for each in ("interfaces", "paper"))
+        seen = _found(result, clean, d, channel="filter")
         alone = [one.sel(channel="filter") - one.sel(channel=["below", "above"]).mean("channel") for one in (e, w)]
         um = 1e6 / float(of.film_attenuation)
         ratio = float(of.film_interface_ratio)

@@ -126,7 +126,7 @@ def bed_in_gate():
 
 RATIOS = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
 RATIO, ERROR = 0.5, 0.02  # one of them, and its standard deviation
-ERRORS = tuple(numpy.geomspace(0.001, 0.1, 9))
+ERRORS = tuple(numpy.geomspace(1e-4, 0.1, 10))
 FILM = {"class": "strongly-absorbing-crude", "thickness_um": 1.0}
 GATE = 2  # from 1 to 2 m
 OIL = "#7a5230"

@@ -74,20 +74,31 @@ class Estimate:
 
 def described(found: Estimate, name: str, **attributes: str) -> xarray.Dataset:
     """An estimate under a name, with attributes (long_name, units) of the value."""
-    of = attributes.get("long_name", name)
-    units = {key: value for key, value in attributes.items() if key == "units"}
-    error = found.error
+    of, units = _words(name, attributes)
+    more = {
+        f"{name}_bias": found.bias.assign_attrs(long_name=f"estimate of the bias of the {of}", **units),
+        f"{name}_replicates": found.replicates.assign_attrs(long_name=f"{of} without a group of batches", **units),
+    }
+    return with_error(found.value, found.error, found.reliable, name, **attributes).assign(more)
+
+
+def with_error(value, error, settled, name: str, **attributes: str) -> xarray.Dataset:
+    """A value under a name, with its standard error, and whether both are settled and known."""
+    of, units = _words(name, attributes)
     return xarray.Dataset(
         {
-            name: found.value.assign_attrs(attributes),
+            name: value.assign_attrs(attributes),
             f"{name}_standard_error": error.assign_attrs(long_name=f"standard error of the {of}", **units),
-            f"{name}_bias": found.bias.assign_attrs(long_name=f"estimate of the bias of the {of}", **units),
-            f"{name}_replicates": found.replicates.assign_attrs(long_name=f"{of} without a group of batches", **units),
-            "reliable": (found.reliable & numpy.isfinite(error)).assign_attrs(
+            "reliable": (settled & numpy.isfinite(error)).assign_attrs(
                 long_name=f"whether the {of} and its standard error can be relied on"
             ),
         }
     )
+
+
+def _words(name, attributes):
+    """What texts call a value, and the attribute of its unit."""
+    return attributes.get("long_name", name), {key: value for key, value in attributes.items() if key == "units"}
 
 
 def estimate(result: xarray.Dataset, function: Callable[[xarray.Dataset], Any]) -> Estimate:

@@ -8,7 +8,9 @@ import numpy
 import xarray
 
 from photic.errors import Error
+from photic.jackknife import described, estimate, with_error
 from photic.names import chosen, listed, suggestion
+from photic.ratios import expect_environment
 from photic.result import scene_of
 
 FORMULAS = ["interfaces", "paper"]
@@ -16,8 +18,11 @@ UM_PER_M = 1e6
 # Of gates, and by how much they may differ, relative and in ns or m. Depths are those of a channel's
 # mean wavelength: behind a filter it is a little another one under a film.
 BOUNDS = {"gate_time_bounds": 1e-9, "gate_depth_bounds": 1e-3}
-ROUNDING = 1e-9
 LARGEST_RATIO = 2  # of measured echoes: no film makes Raman light so much brighter; per cent are above it
+OF_ECHO = ("echo", "echo_standard_error", "converged")
+ATTRIBUTES = {"long_name": "thickness of the film of oil", "units": "um"}
+# Keys of [oil] on which its absorption and its interfaces do not depend.
+FREE = {"thickness_um", "yield", "lifetime_ns"}
 WITHOUT_FILM = "run the same scene with oil.thickness_um = 0"
 
 
@@ -25,6 +30,7 @@ def oil_thickness(
     result: xarray.Dataset,
     clean: str | xarray.Dataset,
     *,
+    environment: str | None = None,
     channel: str = "raman",
     formula: str = "interfaces",
     ratio: Any = None,
@@ -48,13 +54,15 @@ def oil_thickness(
 
     So whatever the formulas neglect, as waves, is counted as it is over the run's film: take a scene whose
     film is about as thick as the one sought, over the sea and with the instrument of the measurement. d is
-    the scene's oil.thickness_um, also where the echoes of an environment were put in the place of its own.
+    oil.thickness_um of the scene, or of the environment.
 
     result   of a run over a film of oil, whole, as photic.open and photic.run return it
     clean    the same sea without the film: the name of an environment of `result` with
              oil.thickness_um = 0, or the whole result of another run with the same telescopes and
              gates, and with another simulation.seed, since it is taken as independent. That nothing
              but the film differs is not checked: leave [oil] in the scene, since it damps waves too
+    environment  name of an environment of `result` whose film is sought, in the place of the scene's.
+             It is of the scene's oil, with a and r of the scene, which has a film itself
     channel  name of the channel that counts the water's Raman light
     formula  "interfaces" or "paper"; a measured ratio needs neither
     ratio    measured: above 0, and about 1 at most. A number, a value for each gate, or a DataArray on
@@ -63,84 +71,97 @@ def oil_thickness(
 
     On (telescope, gate), with their coordinates:
     thickness                 [um] any number: below 0 where noise has it so
-    thickness_standard_error  [um] 0 or more, to the first order in the errors of E and W: valid
-                              while these are far below E and W. Echoes of one run come from the
-                              same photons: their covariance is taken from the error of their
-                              difference, and the error is NaN where no covariance fits all three.
-                              Those of two runs have none. Of a measured ratio both errors are in it,
-                              the measurement's and the run's, as independent of each other. a and r
-                              are taken as exact
+    thickness_standard_error  [um] 0 or more. Echoes of one run come from the same photons: there it is
+                              by groups of batches (photic.error_of), which know how they vary
+                              together. Errors of two runs are independent: there it is to the first
+                              order in those of E and W, valid while these are far below E and W. Of
+                              a measured ratio both errors are in it, the measurement's and the
+                              run's, as independent of each other. a and r are taken as exact
     reliable                  [bool] whether E and W are both converged and above 0, and thickness
-                              and error are known
+                              and error are known; of one run, from 30 groups at least
+    thickness_bias, thickness_replicates  [um] of one run alone: as photic.error_of has them, of E and W.
+                              A measurement is the same in all replicates
     Thickness and error are NaN where E or W is not above 0, for telescopes or a laser in the water
     (r is NaN there) and where the film absorbs nothing.
 
     Every gate gives the thickness anew. From below a film of many 1/a hardly any Raman light comes
     back.
 
-    Raises photic.Error if `result` or `clean` is not a whole result, `result` has no film or `clean`
-    has one, there is no such environment, channel or formula, telescopes or gates differ, or a ratio
-    comes without its error, is not above 0 or too large, or does not fit the gates.
+    Raises photic.Error if `result` or `clean` is not a whole result, `result` has no film in the scene
+    itself or `clean` has one, there is no such environment, channel or formula, an environment has no
+    film or one of other absorption, echoes of one run have no groups (simulation.keep_groups),
+    telescopes or gates differ, or a ratio comes without its error, is not above 0 or too large, or does
+    not fit the gates.
 
     Sources: Raman light that is missing as the measure of a film, Hoge & Swift 1980, Appl. Opt. 19,
     3269 [from memory]; the formula without interfaces, Barbini et al. 2000 (PREMAR-2F), Proc.
-    EARSeL-SIG-Workshop LIDAR, Dresden.
+    EARSeL-SIG-Workshop LIDAR, Dresden. Errors: docs/theory.md, eq. 112.
     """
     _check_film(result)
     if formula not in FORMULAS:
         raise Error(f"there is no formula {formula!r}{suggestion(str(formula), FORMULAS)}")
+    film_um = _film_sought(result, environment)
     measured = _measured(result, ratio, ratio_error, formula)
     oily = _of_channel(result, "result", channel)
-    if isinstance(clean, str):
-        water = _environment(result, oily, clean)
-    else:
-        water = _other_run(oily, clean, channel)
-
-    lit = (oily.echo > 0) & (water.echo > 0)
     film = (oily.film_attenuation > 0) & (oily.film_interface_ratio > 0)
     um = UM_PER_M / oily.film_attenuation.where(film)
-    logarithm = numpy.log(water.echo.where(lit) / oily.echo.where(lit))
-    variance = _variance_of_log_ratio(oily, water, lit)
-    if measured is not None:
-        thickness = measured.film_um - um * (numpy.log(measured.ratio) + logarithm)
-        variance = variance + (measured.error / measured.ratio) ** 2
-    elif formula == "interfaces":
-        thickness = um * (logarithm + numpy.log(oily.film_interface_ratio.where(film)))
+
+    def thickness(under, bare):
+        lit = (under > 0) & (bare > 0)
+        logarithm = numpy.log(bare.where(lit) / under.where(lit))
+        if measured is not None:
+            return film_um - um * (numpy.log(measured.ratio) + logarithm)
+        if formula == "interfaces":
+            logarithm = logarithm + numpy.log(oily.film_interface_ratio.where(film))
+        return um * logarithm
+
+    if isinstance(clean, str):
+        _expect_clean(result, clean)
+        out = _of_one_run(oily, environment, clean, thickness)
     else:
-        thickness = um * logarithm
-    error = um * numpy.sqrt(variance)
-    reliable = oily.converged & water.converged & numpy.isfinite(error)
-
-    of = "thickness of the film of oil"
-    return xarray.Dataset(
-        {
-            "thickness": thickness.assign_attrs(long_name=of, units="um"),
-            "thickness_standard_error": error.assign_attrs(
-                long_name=f"standard error of the {of}", units="um"
-            ),
-            "reliable": reliable.assign_attrs(
-                long_name=f"whether the {of} and its standard error can be relied on"
-            ),
-        },
-        attrs={"formula": formula} if measured is None else {},
-    ).transpose("telescope", "gate")
+        out = _of_two_runs(oily, environment, _other_run(oily, clean, channel), thickness, um)
+    if measured is not None:
+        out = _with_error_of_measurement(out, um * measured.error / measured.ratio)
+    else:
+        out = out.assign_attrs(formula=formula)
+    return out.transpose("batch_group", "telescope", "gate", missing_dims="ignore")
 
 
-def _variance_of_log_ratio(oily, water, lit):
-    """The variance of ln(W / E), to the first order: vE/E^2 + vW/W^2 - 2 cov/(E W), with 2 cov =
-    vE + vW - vD, written so that like echoes lose no digits. NaN where the three errors contradict
-    one another: no covariance makes it fall below (sE/E - sW/W)^2, except by rounding."""
-    e, w = oily.echo.where(lit), water.echo.where(lit)
-    own = water.variance / w - oily.echo_standard_error**2 / e
-    variance = (water.variance_of_difference - (w - e) * own) / (e * w)
-    of_oily, of_water = oily.echo_standard_error / e, numpy.sqrt(water.variance) / w
-    least = (of_oily - of_water) ** 2
-    return variance.clip(min=least).where(variance > least - ROUNDING * (of_oily + of_water) ** 2)
+def _of_one_run(oily, environment, clean, thickness):
+    """The thickness from echoes whose photons are the same, with what groups of batches show of it."""
+
+    def function(echoes):
+        return thickness(_in(environment, echoes), _in(clean, echoes))
+
+    return described(estimate(oily, function), "thickness", **ATTRIBUTES)
+
+
+def _of_two_runs(oily, environment, water, thickness, um):
+    """The thickness from echoes that have no photons in common, to the first order in their errors."""
+    echo, error, converged = (_in(environment, oily, name) for name in OF_ECHO)
+    value = thickness(echo, water.echo)
+    relative = numpy.hypot(error / echo, water.echo_standard_error / water.echo)
+    return with_error(value, (um * relative).where(value.notnull()), converged & water.converged, "thickness", **ATTRIBUTES)
+
+
+def _in(environment, dataset, name="echo"):
+    """A variable of the scene's own echo, or of that of an environment."""
+    if environment is None:
+        return dataset[name]
+    return dataset[f"environment_{name}"].sel(environment=environment, drop=True)
+
+
+def _with_error_of_measurement(out, own):
+    """The same with another error that is independent of what is known of the run's."""
+    error = numpy.hypot(out.thickness_standard_error, own)
+    return out.assign(
+        thickness_standard_error=error.assign_attrs(out.thickness_standard_error.attrs),
+        reliable=(out.reliable & numpy.isfinite(error)).assign_attrs(out.reliable.attrs),
+    )
 
 
 def _measured(result, ratio, error, formula):
-    """The measured values, by gate or alike in all, and the thickness of the run's film [um]; None if
-    nothing was."""
+    """The measured values, by gate or alike in all; None if nothing was."""
     if ratio is None and error is None:
         return None
     if ratio is None or error is None:
@@ -159,8 +180,7 @@ def _measured(result, ratio, error, formula):
         )
     if not bool((error.isnull() | ((error >= 0) & (error < numpy.inf))).all()):
         raise Error("ratio_error: below 0 or infinite: it is a standard deviation")
-    film_um = scene_of(result)["oil"]["thickness_um"]
-    return xarray.Dataset({"ratio": ratio, "error": error, "film_um": film_um})
+    return xarray.Dataset({"ratio": ratio, "error": error})
 
 
 def _by_gate(result, name, values):
@@ -190,14 +210,15 @@ def _check_film(result):
     _check_whole(result, "result: not")
     if "film_attenuation" not in result:
         raise Error(
-            "result: no film of oil: its scene has no [oil], or oil.thickness_um = 0; take the run "
-            "over the film as result, and the sea without it as clean"
+            "result: no film of oil: its scene itself has no [oil], or oil.thickness_um = 0, and what a "
+            "film absorbs is in results of scenes that have one; take the run over the film as result, "
+            "and the sea without it as clean"
         )
 
 
 def _check_whole(dataset, refused):
     whole = isinstance(dataset, xarray.Dataset) and set(BOUNDS) <= set(dataset.coords)
-    if not whole or not {"telescope", "channel", "gate"} <= set(dataset.dims):
+    if not whole or "scene" not in dataset.attrs or not {"telescope", "channel", "gate"} <= set(dataset.dims):
         raise Error(
             f"{refused} the whole result of a run over the sea: take what photic.open or "
             "photic.run returns"
@@ -209,29 +230,48 @@ def _of_channel(dataset, name, channel):
     return dataset.sel(channel=channel)
 
 
-def _environment(result, oily, name):
-    """The clean sea as an environment: its echo, what is known of its errors, and whether it has
-    converged."""
+def _film_sought(result, environment):
+    """The thickness [um] of the scene's film, or of that of an environment."""
+    own = scene_of(result)["oil"]
+    if environment is None:
+        return own["thickness_um"]
+    expect_environment(result, str(environment))
+    oil = _oil_in(result, environment)
+    other = [key for key in oil if key not in FREE and oil[key] != own.get(key)]
+    if other:
+        raise Error(
+            f"environment: {environment!r} sets oil.{other[0]}, too, and what is known of absorption is that of "
+            "the scene's own film: let them differ in oil.thickness_um"
+        )
+    if oil["thickness_um"] == 0:
+        raise Error(f"environment: {environment!r} has no film of oil: its oil.thickness_um is 0")
+    return oil["thickness_um"]
+
+
+def _oil_in(result, environment):
+    """The oil of an environment: that of the scene, but for what it sets."""
+    scene = scene_of(result)
+    changes = next(each["set"] for each in scene["environment"] if each["name"] == environment)
+    start = "oil."
+    return scene["oil"] | {path[len(start) :]: value for path, value in changes.items() if path.startswith(start)}
+
+
+def _expect_clean(result, name):
+    """Raises photic.Error for what is no environment without a film."""
     if "environment" not in result.dims:
         raise Error(
             f"result: there is no environment {name!r}, nor any other: add [[environment]] with "
             f'set = {{ "oil.thickness_um" = 0 }} to the scene, or {WITHOUT_FILM} and take that '
             "result as clean"
         )
-    chosen([result], ["result"], "environment", [name])
-    one = oily.sel(environment=name).reset_coords(drop=True)
-    return xarray.Dataset(
-        {
-            "echo": one.environment_echo,
-            "variance": one.environment_echo_standard_error**2,
-            "variance_of_difference": one.environment_difference_standard_error**2,
-            "converged": one.environment_converged,
-        }
-    )
+    expect_environment(result, name)
+    if _oil_in(result, name)["thickness_um"] > 0:
+        raise Error(f"clean: environment {name!r} has a film of oil itself: take one with oil.thickness_um = 0")
 
 
 def _other_run(oily, clean, channel):
-    """The same, of a run that has no photons in common with that over the film."""
+    """The echo of the clean sea, its error and its flags, of a run that has no photons in common with that
+    over the film."""
     _check_whole(clean, "clean: neither the name of an environment nor")
     if "film_attenuation" in clean:
         raise Error(f"clean: has a film of oil itself: {WITHOUT_FILM} for it")
@@ -245,16 +285,7 @@ def _other_run(oily, clean, channel):
     other = other.sel(telescope=oily.telescope)
     if not _same_gates(oily, other):
         raise Error(f"clean: other gates than those of result; {WITHOUT_FILM}")
-    other = other.reset_coords(drop=True)
-    variance = other.echo_standard_error**2
-    return xarray.Dataset(
-        {
-            "echo": other.echo,
-            "variance": variance,
-            "variance_of_difference": oily.echo_standard_error**2 + variance,
-            "converged": other.converged,
-        }
-    )
+    return other.reset_coords(drop=True)[list(OF_ECHO)]
 
 
 def _same_gates(one, other):

@@ -82,4 +82,4 @@ def oily():
 
 @pytest.fixture
 def clean():
-    return run_over_the_sea(CLEAN_ECHO, 0.03)
+    return run_over_the_sea(CLEAN_ECHO, 0.03 * CLEAN_ECHO)
