@@ -14,7 +14,7 @@ import sys
 import warnings
 from pathlib import Path
 
-import numpy as np
+import numpy
 import photic
 import xarray
 
@@ -25,47 +25,51 @@ MORE_ALGAE = {"name": "more algae", "set": {"sea.layer.0.chlorophyll_mg_m3": 0.1
 
 
 def made(channel, other):
-    """The numbers that are made of echoes, by name; functions as photic.error_of takes them."""
-    one, second = (lambda e, name=name: e.echo.sel(channel=name, drop=True).isel(telescope=0) for name in (channel, other))
+    """The numbers that are made of echoes, by name; functions as photic.error_of takes them, of all telescopes at once."""
+
+    def of(name):
+        return lambda e: e.echo.sel(channel=name, drop=True)
 
     def depth(e):
-        light, edges = one(e), e.gate_depth_bounds.sel(channel=channel).isel(telescope=0)
-        sums = light.cumsum("gate")
-        return xarray.DataArray(np.interp(0.9 * float(sums[-1]), [0.0, *sums.values], [float(edges[0, 0]), *edges[:, 1].values]))
+        light, edges = of(channel)(e).transpose("telescope", "gate").values, e.gate_depth_bounds.sel(channel=channel).values
+        ends = [[each[0, 0], *each[:, 1]] for each in edges]
+        sums = [[0.0, *numpy.cumsum(one)] for one in light]
+        return xarray.DataArray([numpy.interp(0.9 * one[-1], one, end) for one, end in zip(sums, ends)], dims="telescope")
 
     return {
-        f"ratio of {second.__defaults__[0]} to {channel}": lambda e: second(e) / one(e),
-        f"sum over ten gates, {channel}": lambda e: one(e).isel(gate=slice(0, 10)).sum(),
-        f"K of neighbours, {channel}": lambda e: np.log(one(e)).diff("gate"),
+        f"ratio of {other} to {channel}": lambda e: of(other)(e) / of(channel)(e),
+        f"sum over ten gates, {channel}": lambda e: of(channel)(e).isel(gate=slice(0, 10)).sum("gate"),
+        f"K of neighbours, {channel}": lambda e: numpy.log(of(channel)(e)).diff("gate"),
         f"z90, {channel}": depth,
-        f"environment's ratio, {channel}": lambda e: e.environment_echo.sel(channel=channel).isel(telescope=0, environment=0) / one(e),
+        f"environment's ratio, {channel}": lambda e: e.environment_echo.isel(environment=0).sel(channel=channel, drop=True) / of(channel)(e),
     }
 
 
 def runs_of(scene, seeds, **options):
-    """The results of so many seeds."""
+    """The results of so many seeds of a scene with one telescope, as telescopes of one."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)
-        return [scene.run(seed=seed, **options) for seed in range(1, seeds + 1)]
+        runs = [scene.run(seed=seed, **options) for seed in range(1, seeds + 1)]
+    of_seeds = [run.assign_coords(telescope=[f"seed {seed}"]) for seed, run in enumerate(runs, 1)]
+    return xarray.concat(of_seeds, dim="telescope", data_vars="minimal", coords="minimal", compat="override")
 
 
 def intervals(runs, function):
     """z of every number that is reliable, by seed; and how its errors compare with the scatter."""
-    found = [photic.error_of(run, function) for run in runs]
-    mean = runs[0].assign({name: sum(run[name] for run in runs) / len(runs) for name in ("echo", "environment_echo")})
-    truth = np.asarray(function(mean), dtype=float)
-    value, error, reliable = (
-        np.array([np.asarray(one[name], dtype=float) for one in found]) for name in ("value", "value_standard_error", "reliable")
+    found = photic.error_of(runs, function)
+    mean = runs.isel(telescope=[0]).assign({name: runs[name].mean("telescope", keepdims=True) for name in ("echo", "environment_echo")})
+    value, error, reliable, truth = (
+        one.transpose("telescope", ...).values for one in (found.value, found.value_standard_error, found.reliable, function(mean))
     )
-    z = (value - truth) / error / np.sqrt(1 - 1 / len(runs))
-    claimed = np.sqrt(np.mean(error**2, axis=0)) / value.std(axis=0, ddof=1)
-    return np.where(reliable == 1, z, np.nan), claimed
+    z = (value - truth) / error / numpy.sqrt(1 - 1 / len(value))
+    claimed = numpy.sqrt(numpy.mean(error**2, axis=0)) / value.std(axis=0, ddof=1)
+    return numpy.where(reliable, z, numpy.nan), claimed
 
 
 def coverage(z):
     """The share of intervals that hold the truth, and its error, from the scatter of seeds."""
-    known = np.isfinite(z).reshape(len(z), -1)
-    return share((known & (np.abs(z.reshape(len(z), -1)) < TWO_SIDED_95)).sum(axis=1), known.sum(axis=1))
+    known = numpy.isfinite(z).reshape(len(z), -1)
+    return share((known & (numpy.abs(z.reshape(len(z), -1)) < TWO_SIDED_95)).sum(axis=1), known.sum(axis=1))
 
 
 def main():
@@ -81,13 +85,13 @@ def main():
         scene[path] = _value(value)
     scene["environment"] = [MORE_ALGAE]
     runs = runs_of(scene, options.seeds, photons=options.photons)
-    channels = list(map(str, runs[0].channel.values))
+    channels = list(map(str, runs.channel.values))
     for channel, other in zip(channels, channels[1:] + channels[:1]):
         for name, function in made(channel, other).items():
             z, claimed = intervals(runs, function)
             held, scatter = coverage(z)
-            print(f"{name:40} {np.isfinite(z).sum():6} intervals, {100 * held:5.1f} +- {100 * scatter:3.1f} % hold the truth; "
-                  f"claimed over scatter {np.nanmedian(claimed):.2f}", flush=True)
+            print(f"{name:40} {numpy.isfinite(z).sum():6} intervals, {100 * held:5.1f} +- {100 * scatter:3.1f} % hold the truth; "
+                  f"claimed over scatter {numpy.nanmedian(claimed):.2f}", flush=True)
 
 
 def _value(text):
