@@ -81,6 +81,7 @@ def analysed(path, name, options):
         if given and flag not in function.options:
             has = ", ".join(f"--{each}" for each in function.options)
             raise Error(f"--{flag} does not belong to {name}, whose options are {has}")
+    options = _read(options)
     subject = _subject(path, name, function.of_scene)
     try:
         return function.find(subject, options), subject
@@ -88,6 +89,16 @@ def analysed(path, name, options):
         if type(error) is not Error:
             raise
         raise Error(f"{path}: {str(error).removeprefix('result: ')}", exit_code=error.exit_code) from error
+
+
+def _read(options):
+    """The options with numbers, and with the other result, in the place of texts."""
+    depths, share, clean = (options[name] for name in ("depths", "share", "clean"))
+    return options | {
+        "depths": None if depths is None else tuple(_number("depths", each) for each in depths),
+        "share": None if share is None else _number("share", share),
+        "clean": open_result(clean) if clean is not None and clean.lower().endswith(".nc") else clean,
+    }
 
 
 def function_named(name):
@@ -123,8 +134,7 @@ def _of_scene(function, name):
 
 def _k_lidar(result, options):
     result, channel = _telescopes(result, options), _one_channel(result, "k-lidar", options)
-    depths = None if options["depths"] is None else tuple(_number("depths", each) for each in options["depths"])
-    found = _in_waters(result, options, lambda water: k_lidar(result, channel, depths=depths, environment=water))
+    found = _in_waters(result, options, lambda water: k_lidar(result, channel, depths=options["depths"], environment=water))
     gate_depth = result.gate_depth.sel(channel=channel, drop=True)
     blocks, notes = [], []
     for t, telescope in enumerate(_names(result.telescope)):
@@ -158,7 +168,7 @@ def _z90(result, options):
 
 
 def _depths_in_waters(result, channel, options):
-    share = {} if options["share"] is None else {"share": _number("share", options["share"])}
+    share = {} if options["share"] is None else {"share": options["share"]}
     return _in_waters(result, options, lambda water: z90(result, channel, environment=water, **share))
 
 
@@ -178,10 +188,9 @@ def _ratio(result, options):
 def _oil_thickness(result, options):
     if options["clean"] is None:
         raise Error("oil-thickness takes --clean NAME, an environment without the film, or --clean RESULT.nc of another run")
-    clean = open_result(options["clean"]) if options["clean"].lower().endswith(".nc") else options["clean"]
     channel = {"channel": _one_channel(result, "oil-thickness", options)} if options["channel"] else {}
     formula = {"formula": options["formula"]} if options["formula"] is not None else {}
-    found = _telescopes(oil_thickness(result, clean, **channel, **formula), options)
+    found = _telescopes(oil_thickness(result, options["clean"], **channel, **formula), options)
     blocks = []
     for t, telescope in enumerate(_names(found.telescope)):
         one = found.isel(telescope=t)
@@ -201,16 +210,16 @@ def _linear_fit(result, options):
     fits = [linear_fit(places, values.isel(telescope=t), name) for t in range(values.sizes["telescope"])]
     found = values.drop_vars("reliable").merge(xarray.concat(fits, dim="telescope"), compat="override")
     found = found.assign({f"{name}_reliable": values[f"{name}_reliable"] if f"{name}_reliable" in values else values.reliable})
-    return Analysis(found, [_fit_of(found, t, name, path) for t in range(found.sizes["telescope"])], _other_paths(result, path, waters))
+    of = {"channel": options["channel"][0]} if options["channel"] else {}
+    blocks = [_fit_of(found.isel(telescope=t), name, path, of) for t in range(found.sizes["telescope"])]
+    return Analysis(found, blocks, _other_paths(result, path, waters))
 
 
-def _fit_of(found, telescope, name, path):
-    one = found.isel(telescope=telescope)
-    columns = (_column(one, name, name.replace("_", " ")), _column(one, "residual", "residual", exact=True))
+def _fit_of(one, name, path, of):
+    columns = (_column(one, name, name.replace("_", " "), **of), _column(one, "residual", "residual", exact=True))
     numbers = [_column(one, "slope", "slope"), _column(one, "offset", "offset")]
     numbers += [_column(one, each, each.replace("_", " "), exact=True) for each in ("r_squared", "chi_squared", "degrees_of_freedom")]
-    waters = tuple(_names(found.environment))
-    return Block(str(one.telescope.values), path, one[path].values, waters, columns, tuple(numbers))
+    return Block(str(one.telescope.values), path, one[path].values, tuple(_names(one.environment)), columns, tuple(numbers))
 
 
 def _fitted_values(result, options):
