@@ -19,7 +19,7 @@ def expect_lidar_over_flat_sea(scene: dict[str, Any], function: str) -> None:
         raise Error(f"{function}: the scene has no sea: it is of air alone (add [[sea.layer]])")
     for name, instrument in _instruments(scene):
         if instrument["position_m"][2] <= 0:
-            raise Error(f"{function}: {name} is in the water: the closed form is of lidars in the air (set position_m[2] above 0)")
+            raise Error(f"{function}: {name} is in the water, but the closed form is of the air (set position_m[2] above 0)")
         if unit(instrument["direction"])[2] >= 0:
             raise Error(f"{function}: {name} does not look down to the sea (set direction[2] below 0)")
     _expect_beam_to_come_down(scene["source"], function)

@@ -41,9 +41,10 @@ def linear_fit(x: Any, y: xarray.Dataset, name: str | None = None) -> xarray.Dat
     name = _name(y, name)
     value, replicates, reliable = y[name], y[f"{name}_replicates"], _reliable(y, name)
     places = _places(x, value)
-    weight = 1 / y[f"{name}_standard_error"].values ** 2
-    if not (numpy.isfinite(weight) & numpy.isfinite(value.values)).all():
+    error = y[f"{name}_standard_error"].values
+    if not ((error > 0) & numpy.isfinite(error) & numpy.isfinite(value.values)).all():
         raise Error(f"linear_fit: values of {name} whose errors are not above 0 and finite: leave them out, or take more photons")
+    weight = 1 / error**2
     slope, offset = _line(places, value.values, weight)
     of_groups = [_line(places, one, weight) for one in replicates.transpose("batch_group", ...).values]
     found = [
@@ -60,7 +61,7 @@ def linear_fit(x: Any, y: xarray.Dataset, name: str | None = None) -> xarray.Dat
     return out.drop_vars(["slope_replicates", "offset_replicates"]).assign(
         residual=residual.assign_attrs(long_name=f"{name} less the line", units=units),
         r_squared=1 - squares[0] / squares[1] if squares[1] > 0 else numpy.nan,
-        chi_squared=_chi_squared(places, value.values, replicates.transpose("batch_group", ...).values),
+        chi_squared=chi_squared(places, value.values, replicates.transpose("batch_group", ...).values),
         degrees_of_freedom=len(places) - 2,
     )
 
@@ -100,7 +101,7 @@ def _line(x, y, weight):
     return slope, y0 - slope * x0
 
 
-def _chi_squared(x, y, replicates):
+def chi_squared(x, y, replicates):
     """That of what a line leaves, whatever line that is: of the directions in which no line lies."""
     groups, free = len(replicates), len(x) - 2
     if 2 * free >= groups:

@@ -116,7 +116,7 @@ def _echoes(result):
     """The echoes of a result, and its coordinates."""
     check_groups(result)
     there = [name for name in GROUPED if name in result and GROUPED[name][0] in result]
-    return result[there]
+    return result.drop_vars([name for name in result.data_vars if name not in there])
 
 
 def _call(function, echoes, result):

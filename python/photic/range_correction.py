@@ -12,6 +12,7 @@ from photic.errors import Error
 from photic.first_order import ACROSS, mean_overlap
 from photic.gate_scale import cosine_in_water, has_ranges, scale_of
 from photic.lens import Lens
+from photic.names import suggestion
 from photic.rays import unit
 from photic.result import scene_of
 from photic.seawater import Light, light_of
@@ -100,8 +101,10 @@ def _spread(telescope: dict[str, Any], light: Light, place: Any, is_range: bool)
 
 
 def _named(telescopes: list[dict[str, Any]], name: Any) -> dict[str, Any]:
-    (telescope,) = [each for each in telescopes if each["name"] == name]
-    return telescope
+    known = {each["name"]: each for each in telescopes}
+    if name not in known:
+        raise Error(f"range_corrected: the result's scene has no telescope {str(name)!r}{suggestion(str(name), list(known))}")
+    return known[name]
 
 
 def _expect_echoes(ds: Any) -> None:

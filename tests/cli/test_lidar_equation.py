@@ -196,6 +196,29 @@ def test_what_is_not_in_the_equation_is_refused(what):
     assert refused.value.exit_code == 2
 
 
+def test_columns_are_refused():
+    scene = package.Scene.new("plume")
+    if "atmosphere" in scene:
+        del scene["atmosphere"]
+    with pytest.raises(package.Error, match="lidar_equation: the closed form has no columns side by side"):
+        package.lidar_equation(scene)
+
+
+def test_a_beam_that_does_not_come_down_is_refused():
+    scene = package.Scene(QUICK_SCENE)
+    scene.update({"source.direction": [1, 0, -0.003], "gates": {"start_ns": 80, "stop_ns": 9000, "step_ns": 100}})
+    with pytest.raises(package.Error, match="lidar_equation: some light of the laser does not come down to the sea"):
+        package.lidar_equation(scene)
+
+
+def test_a_process_without_light_has_no_echo():
+    scene = package.Scene(QUICK_SCENE)
+    scene["channel.1"] = {"name": "cdom", "process": "cdom"}
+    found = package.lidar_equation(scene)
+    assert (found.echo.sel(channel="cdom") == 0).all() and (found.echo.sel(channel="elastic") > 0).all()
+    assert found.channel_wavelength.values == pytest.approx(scene.run(photons=200).channel_wavelength.values)
+
+
 def test_a_scene_without_telescopes_is_refused():
     with pytest.raises(package.Error, match=r"lidar_equation: the scene has no telescopes \(add \[\[telescope\]\]"):
         package.lidar_equation(package.Scene.new("sun"))

@@ -131,6 +131,14 @@ def test_instruments_that_are_refused(function, what):
     assert str(refused.value).startswith(f"{function}: ") and reason in str(refused.value)
 
 
+def test_gates_in_time_under_air_are_refused():
+    scene = package.Scene(QUICK_SCENE)
+    scene.update({"atmosphere": {"profile": "us-standard"}, "gates": {"start_ns": 70, "stop_ns": 250, "step_ns": 15}})
+    with pytest.raises(package.Error, match="overlap: the air delays pulses by what is not known here"):
+        package.overlap(scene)
+    assert package.range_corrected(scene.run(photons=200)).sizes["gate"] == 12
+
+
 def test_a_filter_given_as_a_table_has_no_known_light(tmp_path):
     (tmp_path / "filter.csv").write_text("wavelength_nm,transmission\n640,0.5\n660,0.9\n")
     scene = package.Scene(QUICK_SCENE)
@@ -201,6 +209,13 @@ def test_gates_without_light_are_not_reliable():
 def test_what_is_no_result(thing):
     with pytest.raises(package.Error, match="range_corrected: not a result with the axes telescope, channel and gate"):
         package.range_corrected(thing)
+
+
+def test_a_telescope_that_the_scene_does_not_have():
+    run = package.Scene.new("three-layers").run(photons=500)
+    renamed = run.assign_coords(telescope=["coaxal", "beside"])
+    with pytest.raises(package.Error, match=r"the result's scene has no telescope 'coaxal' \(did you mean 'coaxial'\?\)"):
+        package.range_corrected(renamed)
 
 
 # Air delays pulses, and the gates with them. Seen red: with places by the time of gates.

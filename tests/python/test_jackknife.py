@@ -4,43 +4,7 @@ import numpy
 import photic
 import pytest
 import xarray
-
-GATES, GROUPS = 4, 64
-
-
-def result_of(means, photons=None, error=None, flagged=()):
-    """A result of one telescope and two channels with these means [channel, group, gate]."""
-    means = numpy.asarray(means, dtype=float)[None]
-    photons = numpy.full(means.shape[1:3], 1000.0) if photons is None else numpy.asarray(photons, dtype=float)
-    weights = photons[None, :, :, None]
-    echo = (numpy.nan_to_num(means) * weights).sum(axis=2) / weights.sum(axis=2)
-    groups = (photons > 0).sum(axis=1)[None, :, None]
-    spread = (weights * (numpy.nan_to_num(means) - echo[:, :, None]) ** 2 * (weights > 0)).sum(axis=2)
-    own = numpy.sqrt(spread / weights.sum(axis=2) / (groups - 1))
-    where = ("telescope", "channel", "gate")
-    by_group = ("telescope", "channel", "batch_group", "gate")
-    converged = numpy.ones(echo.shape, dtype=bool)
-    for gate in flagged:
-        converged[..., gate] = False
-    return xarray.Dataset(
-        {
-            "echo": (where, echo),
-            "echo_standard_error": (where, own if error is None else error * own),
-            "converged": (where, converged),
-            "echo_by_group": (by_group, means),
-            "group_photons": (by_group[:3], photons[None]),
-        },
-        coords={"telescope": ["t"], "channel": ["raman", "chlorophyll"], "batch_group": numpy.arange(means.shape[2])},
-    )
-
-
-def correlated(seed=1, groups=GROUPS, correlation=0.8):
-    """Means of two channels about 1, with a scatter of 5 % that neighbours and channels share."""
-    random = numpy.random.default_rng(seed)
-    shared = random.normal(size=(1, groups, 1))
-    own = random.normal(size=(2, groups, GATES))
-    return 1 + 0.05 * (numpy.sqrt(correlation) * shared + numpy.sqrt(1 - correlation) * own)
-
+from grouped_results import GROUPS, correlated, result_of
 
 def of_raman(gate):
     return lambda e: e.echo.sel(telescope="t", channel="raman", gate=gate)
@@ -113,6 +77,13 @@ def test_few_groups_are_not_relied_on():
     assert photic.error_of(result_of(correlated(groups=30)), lambda e: e.echo).reliable.all()
     one = photic.error_of(result_of(correlated(groups=1), error=numpy.nan), lambda e: e.echo)
     assert numpy.isnan(one.value_standard_error).all() and not one.reliable.any()
+
+
+# Seen red: with those coordinates alone that the echoes have the axes of.
+def test_a_function_has_all_coordinates():
+    result = result_of(correlated()).assign_coords(bounds=(("gate", "bnds"), numpy.arange(8.0).reshape(4, 2)))
+    found = photic.error_of(result, lambda e: (e.echo * e.bounds.isel(bnds=1)).sum("gate"))
+    assert numpy.isfinite(found.value_standard_error).all()
 
 
 def test_gates_without_light_are_known_to_have_none():

@@ -44,7 +44,7 @@ def test_what_a_run_goes_on_from_is_not_shown(sample):
     with netCDF4.Dataset(sample) as file:
         assert list(file.groups) == ["continuation"]
     ds = photic.open(sample)
-    axes = {"telescope", "channel", "process", "order", "gate", "depth", "bnds"}
+    axes = {"telescope", "channel", "process", "order", "gate", "depth", "bnds", "batch_group"}
     assert set(ds.sizes) == axes
     assert not [name for name in ds.variables if "sums" in name]
 
