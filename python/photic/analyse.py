@@ -7,6 +7,9 @@ import shutil
 import sys
 import tomllib
 
+import netCDF4
+import xarray
+
 from photic import analysis_table
 from photic.analysis import FUNCTIONS, analysed, function_named, scene_text
 from photic.core import VERSION
@@ -99,8 +102,6 @@ def _is_ours(path, ending):
         if os.path.getsize(path) == 0:
             return True
         if ending == ".nc":
-            import netCDF4
-
             with netcdf_lock, netCDF4.Dataset(path) as file:
                 return getattr(file, "photic_content", "") == CONTENT
         with open(path, "rb") as file:
@@ -114,15 +115,15 @@ def _write(options, ending, found, subject, text, about):
     if ending in PICTURES:
         _draw(path, ending, found, subject, tomllib.loads(text).get("title", ""))
         return
-    with written_whole(path) as beside:
-        if ending == ".csv":
-            with open(beside, "w", encoding="utf-8", newline="") as file:
-                file.write(analysis_table.as_csv(found, about["title"], f"Photic {VERSION}, {MARK}: {about['command']}"))
-        else:
-            _write_netcdf(beside, options, found.dataset, subject, text, about)
+    if ending == ".csv":
+        image = analysis_table.as_csv(found, about["title"], f"Photic {VERSION}, {MARK}: {about['command']}").encode()
+    else:
+        image = _netcdf(options, found.dataset, subject, text, about)
+    with written_whole(path) as beside, open(beside, "wb") as file:
+        file.write(image)
 
 
-def _write_netcdf(path, options, dataset, subject, text, about):
+def _netcdf(options, dataset, subject, text, about):
     now = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
     attributes = {
         "Conventions": "CF-1.10",
@@ -136,11 +137,15 @@ def _write_netcdf(path, options, dataset, subject, text, about):
         "scene": text,
         "optics_sources": getattr(subject, "attrs", {}).get("optics_sources", ""),
     }
-    try:
-        with netcdf_lock:
-            dataset.assign_attrs({key: value for key, value in attributes.items() if value}).to_netcdf(path, engine="netcdf4")
-    except RuntimeError as error:  # of the library, as for a full disk
-        raise Error(f"{options.output}: cannot write it: {error}", exit_code=1) from error
+    return _netcdf_image(dataset.assign_attrs({key: value for key, value in attributes.items() if value}))
+
+
+def _netcdf_image(dataset):
+    """The bytes of a file. It is made in memory, since HDF5 crashes where a disk is full."""
+    with netcdf_lock:
+        file = netCDF4.Dataset("in memory", mode="w", memory=1)
+        dataset.dump_to_store(xarray.backends.NetCDF4DataStore(file))
+        return bytes(file.close())
 
 
 def _draw(path, ending, found, subject, title):
