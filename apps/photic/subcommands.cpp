@@ -206,7 +206,8 @@ void add_keywords(CLI::App& sub, std::vector<std::string>& words) {
          },
          "k-lidar: the first and the last depth of the fit, in m [default: all of the water]")
       ->type_name("FIRST LAST")
-      ->expected(2);
+      ->expected(2)
+      ->allow_extra_args(false);
   add_passed_on(sub, words, "--against", "PATH",
                 "linear-fit: the number that environments set [default: that which they set, if it "
                 "is one alone]");

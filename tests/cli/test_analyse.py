@@ -108,7 +108,7 @@ def matches(numbers, dataset, name, reliable="reliable"):
 
 
 def test_range_corrected(found, result):
-    # Seen red: with the errors of the echo.
+    # Seen red: with --telescope left out.
     numbers = found("waters.nc", "range-corrected")["range_corrected"]
     assert len(numbers) == 2 * 3 * 10  # no gate is dropped
     matches(numbers, package.range_corrected(result), "range_corrected")
@@ -119,7 +119,7 @@ def test_range_corrected(found, result):
 
 
 def test_k_lidar(found, analyse, result):
-    # Seen red: with depths that do not reach the function; with the flags of the intervals for those of the fit.
+    # Seen red: with depths that do not reach the function.
     numbers = found("waters.nc", "k-lidar", *ELASTIC, "--depths", "1", "7", "--telescope", "narrow")
     expected = package.k_lidar(result, "elastic", depths=(1, 7), telescope="narrow")
     matches(numbers["k"], expected, "k")
@@ -132,7 +132,7 @@ def test_k_lidar(found, analyse, result):
 
 
 def test_gates_that_a_fit_leaves_out_are_named(program, folder, analyse, result):
-    # Seen red: with the gates of the other kind.
+    # Seen red: with the gates that the fit takes.
     spoilt = result.copy(deep=True)
     spoilt.echo_standard_error[0, 0, 4] = 0.2 * spoilt.echo[0, 0, 4]
     spoilt.to_netcdf(folder / "spoilt.nc")
@@ -153,7 +153,7 @@ def test_z90_in_several_waters(found, result):
 
 
 def test_ratio(found, result):
-    # Seen red: with `over` for `of`.
+    # Seen red: with channels that do not reach the function.
     numbers = found("waters.nc", "ratio", "--of", "elastic", "--over", "raman", "--environment", "green", "--reference", "clear")
     expected = package.ratio(result, "elastic", "raman", environment=["green"], reference="clear")
     matches(numbers["ratio"], expected, "ratio")
@@ -222,7 +222,7 @@ CELL = re.compile(r"^ +(\d+\.\d\d)(?: +(\S+?)±(\S+?)(\*?)(?= |$))+$")
 
 def test_the_table(analyse, result):
     """Aligned, a row for each gate, and a star behind what is not reliable."""
-    # Seen red: with the star in the place of the last digit, and with gates that are not reliable left out.
+    # Seen red: with no room for a star behind what is reliable.
     lines = analyse("waters.nc", "ratio", "--telescope", "narrow").stdout.splitlines()
     assert lines[0] == "Ratio of echoes: a quick scene"
     start = lines.index("telescope narrow")
@@ -362,7 +362,7 @@ BY_PROGRAM = {
 }
 
 
-# Seen red: one after another, each with the line that makes its message taken out.
+# Seen red: with options that no function checks; without the file in messages of functions.
 @pytest.mark.parametrize("words", REFUSED, ids=" ".join)
 def test_what_is_refused(analyse, folder, words):
     before = sorted(folder.iterdir())
@@ -372,6 +372,7 @@ def test_what_is_refused(analyse, folder, words):
     assert sorted(folder.iterdir()) == before
 
 
+# Seen red: with any number of depths.
 @pytest.mark.parametrize("words", BY_PROGRAM, ids=" ".join)
 def test_what_the_program_refuses(by_program, words):
     done = by_program(*words)
@@ -390,7 +391,7 @@ OPTIONS = {
 
 @pytest.mark.parametrize("name", OPTIONS)
 def test_options_reach_the_package(by_program, analyse, name):
-    # Seen red: with --share and then with the second environment left out by the program.
+    # Seen red: with --share, and then with the second of two environments, left out by the program.
     done = by_program("waters.nc", name, *OPTIONS[name])
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout == analyse("waters.nc", name, *OPTIONS[name]).stdout
@@ -410,7 +411,7 @@ def test_an_environment_that_fails(by_program, tmp_path):
 @pytest.mark.parametrize("name", ["k.nc", "k.csv", "k.png"])
 def test_what_cannot_be_written_leaves_what_was_there(program, folder, by_program, tmp_path, name):
     """Written whole or not at all: a file size limit ends the writing in its middle."""
-    # Seen red: with the file opened where it goes.
+    # Seen red: .nc and .csv, with the file opened where it goes.
     path = tmp_path / name
     assert by_program("waters.nc", "k-lidar", *ELASTIC, "-o", path).returncode == 0
     before = path.read_bytes()
@@ -434,7 +435,7 @@ def test_completion_has_functions_and_files(photic):
 
 
 def test_help_names_every_function_and_its_options(photic):
-    # Seen red: with a function left out of the command's list.
+    # Seen red: with lidar-equation left out of the program's choices.
     text = photic("analyse", "--help").stdout
     for name, function in FUNCTIONS.items():
         assert name in text
