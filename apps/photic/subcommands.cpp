@@ -219,8 +219,7 @@ void add_keywords(CLI::App& sub, std::vector<std::string>& words) {
 
 /// Adds `photic analyse`. The Python package checks its values.
 void add_analyse(CLI::App& app, AnalyseCommand& analyse, Notes& notes) {
-  CLI::App& sub = *app.add_subcommand(
-      "analyse", "Derive numbers from a result, with their errors: K, z90, ratios, fits ...");
+  CLI::App& sub = *app.add_subcommand("analyse", "Derive numbers from a result, with their errors");
   sub.add_option("file", analyse.file, "The result; for overlap and lidar-equation a scene, too")
       ->type_name("RESULT.nc|SCENE")
       ->required();
