@@ -92,9 +92,10 @@ def analysed(path, name, options):
 
 
 def _read(options):
-    """The options with numbers, and with the other result, in the place of texts."""
+    """The options with numbers, and with the other result, in the place of texts; each name once."""
     depths, share, clean = (options[name] for name in ("depths", "share", "clean"))
     return options | {
+        "environment": list(dict.fromkeys(options["environment"])),
         "depths": None if depths is None else tuple(_number("depths", each) for each in depths),
         "share": None if share is None else _number("share", share),
         "clean": open_result(clean) if clean is not None and clean.lower().endswith(".nc") else clean,
@@ -315,7 +316,6 @@ def _in_waters(result, options, function):
     names = options["environment"]
     if not names:
         return function(None)
-    names = list(dict.fromkeys(names))
     return xarray.concat([function(name) for name in names], dim=xarray.DataArray(names, dims="environment", name="environment"))
 
 
