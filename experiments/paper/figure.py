@@ -82,6 +82,10 @@ def table_1(changes=None) -> photic.Scene:
     return scene
 
 
-def power(x, y) -> float:
-    """The exponent of the power law through points."""
-    return float(numpy.polyfit(numpy.log(x), numpy.log(y), 1)[0])
+def power(x, values, replicates=None) -> tuple[float, float]:
+    """The exponent of the power law through points, and its error of their jackknife replicates."""
+    exponent = float(numpy.polyfit(numpy.log(x), numpy.log(values), 1)[0])
+    if replicates is None:
+        return exponent, 0.0
+    others = numpy.polyfit(numpy.log(x), numpy.log(replicates).T, 1)[0]
+    return exponent, float(numpy.sqrt((len(others) - 1) * others.var()))

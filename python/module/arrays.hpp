@@ -24,22 +24,24 @@ class Arrays : public io::Dataset {
   }
   void add_variable(const std::string& name, const std::vector<std::string>& dimensions,
                     io::Values values, const io::Attributes& attributes) override {
-    variables_.push_back({name, dimensions, copied(values), attributes});
+    variables_.push_back(
+        {name, dimensions, std::make_shared<const Column>(copied(values)), attributes});
   }
 
   /// {"attributes": {name: value}, "variables": {name: (dimensions, array, attributes)}}, of the
-  /// types that netCDF4 gives. Its arrays are gone from here then.
-  py::dict hand_over() {
+  /// types that netCDF4 gives. Its arrays share their memory with this; what breaks it off, as
+  /// Ctrl-C, takes nothing away.
+  [[nodiscard]] py::dict hand_over() const {
     py::dict variables;
-    for (Variable& one : variables_) {
+    for (const Variable& one : variables_) {
       py::list dimensions;
       std::vector<py::ssize_t> shape;
       for (const std::string& name : one.dimensions) {
         dimensions.append(text_of(name));
         shape.push_back(static_cast<py::ssize_t>(size_.at(name)));
       }
-      const auto as_array = [&shape](auto& column) { return array_of(std::move(column), shape); };
-      variables[text_of(one.name)] = py::make_tuple(dimensions, std::visit(as_array, one.column),
+      const auto as_array = [&](const auto& column) { return array_of(column, one.column, shape); };
+      variables[text_of(one.name)] = py::make_tuple(dimensions, std::visit(as_array, *one.column),
                                                     attributes_of(one.attributes));
     }
     py::dict out;
@@ -55,7 +57,7 @@ class Arrays : public io::Dataset {
   struct Variable {
     std::string name;
     std::vector<std::string> dimensions;
-    Column column;
+    std::shared_ptr<const Column> column;
     io::Attributes attributes;
   };
 
@@ -64,17 +66,17 @@ class Arrays : public io::Dataset {
         [](const auto& span) -> Column { return std::vector(span.begin(), span.end()); }, values);
   }
 
+  using Owner = std::shared_ptr<const Column>;
   template <class Number>
-  static py::array array_of(std::vector<Number>&& column, const std::vector<py::ssize_t>& shape) {
-    auto kept = std::make_unique<std::vector<Number>>(std::move(column));
-    Number* const first = kept->data();
-    const py::capsule owner(kept.get(),
-                            [](void* p) { delete static_cast<std::vector<Number>*>(p); });
+  static py::array array_of(const std::vector<Number>& column, const Owner& all,
+                            const std::vector<py::ssize_t>& shape) {
+    auto kept = std::make_unique<Owner>(all);
+    const py::capsule owner(kept.get(), [](void* p) { delete static_cast<Owner*>(p); });
     static_cast<void>(kept.release());
-    return py::array_t<Number>(shape, first, owner);
+    return py::array_t<Number>(shape, column.data(), owner);
   }
 
-  static py::array array_of(std::vector<std::string>&& column,
+  static py::array array_of(const std::vector<std::string>& column, const Owner&,
                             const std::vector<py::ssize_t>& shape) {
     py::list texts;
     for (const std::string& text : column) texts.append(text_of(text));

@@ -15,6 +15,7 @@
 #include "gil.hpp"
 #include "io/atomic_file.hpp"
 #include "io/netcdf_lock.hpp"
+#include "io/netcdf_probe.hpp"
 #include "optics.hpp"
 #include "runs.hpp"
 #include "scene/read.hpp"
@@ -156,8 +157,8 @@ void add_runs(py::module_& m) {
                       const std::string& command, const std::optional<Output>& output) {
             expect_isa(isa);
             return std::make_unique<Run>(
-                context, document, session::RunRequest{threads, engine, isa, earlier, command},
-                output);
+                context, document,
+                session::RunRequest{threads, engine, isa, earlier, command, keywords()}, output);
           }),
           py::arg("context"), py::arg("document"), py::kw_only(), py::arg("threads"),
           py::arg("engine"), py::arg("isa"), py::arg("earlier"), py::arg("command"),
@@ -194,6 +195,11 @@ void add_texts(py::module_& m) {
         without_gil([&] { io::write_atomically(path, text); });
       },
       py::arg("path"), py::arg("text"));
+  m.def(
+      "expect_netcdf",
+      [](const std::string& path) { without_gil([&] { io::expect_netcdf(path); }); },
+      py::arg("path"));
+  m.def("renew_netcdf_lock", &io::NetcdfLock::renew);
   py::class_<NetcdfLock>(m, "NetcdfLock").def(py::init()).def("release", &NetcdfLock::release);
   m.def("optics_of", &optics_of, py::arg("context"), py::arg("document"), py::arg("wavelength_nm"),
         py::arg("command"));

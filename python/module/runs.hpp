@@ -42,6 +42,17 @@ class Lines {
   std::vector<std::string> lines_;
 };
 
+/// The keywords of a run in messages.
+inline session::Words keywords() {
+  return {.output = "output=",
+          .force = "force=True",
+          .earlier = "continue_from=",
+          .photons = "photons=",
+          .engine = "engine=",
+          .isa = "isa=",
+          .before_value = ""};
+}
+
 /// A place for a result; none: it stays in memory.
 struct Output {
   std::string path;
@@ -77,7 +88,8 @@ class RunAtWork {
     std::string path, failure;
   };
   [[nodiscard]] End finish() {
-    end();
+    hold();
+    wait_for_end();
     const tally::Result result = run().result();
     End out{arrays_of(result), "", ""};
     if (!kept_) return out;
@@ -90,12 +102,14 @@ class RunAtWork {
     return out;
   }
 
-  /// Stops, and waits for the end.
+  /// Stops, and waits for the end. Other runs may write to the file then, until finish().
   void end() {
-    if (kept_) kept_->end();
-    run().stop();
-    while (!run().wait_for(std::chrono::hours(1))) continue;
-    has_ended_ = true;
+    wait_for_end();
+    if (kept_) kept_->let_go();
+  }
+  /// Keeps other runs from the file, since finish() is about to come.
+  void hold() {
+    if (kept_) kept_->hold();
   }
   /// True if nothing has to be waited for.
   [[nodiscard]] bool has_ended() const { return has_ended_; }
@@ -103,14 +117,23 @@ class RunAtWork {
   Lines lines;
 
  private:
+  void wait_for_end() {
+    if (kept_) kept_->end();
+    run().stop();
+    while (!run().wait_for(std::chrono::hours(1))) continue;
+    has_ended_ = true;
+  }
+
   /// Throws UsageError where the result would replace what it is made of.
   static session::ResultFile file_of(const scene::Reading& reading, const Output& output,
                                      const std::string& earlier) {
-    session::ResultFile file{.path = session::result_path(output.path, output.scene_file, earlier),
-                             .scene_file = output.scene_file,
-                             .force = output.force,
-                             .checkpoint_s = output.checkpoint_s};
-    session::spare(reading.files, file.path);
+    session::ResultFile file{
+        .path = session::result_path(output.path, output.scene_file, earlier, keywords()),
+        .scene_file = output.scene_file,
+        .force = output.force,
+        .checkpoint_s = output.checkpoint_s,
+        .lets_go = true};
+    session::spare(reading.files, file.path, keywords());
     return file;
   }
 
@@ -118,7 +141,8 @@ class RunAtWork {
                   const session::ResultFile& file) {
     kept_.emplace(context, std::move(ready), file,
                   session::FrontEnd{.report = [this](const std::string& line) { lines.add(line); },
-                                    .go_on = go_on});
+                                    .go_on = go_on,
+                                    .words = keywords()});
   }
 
   void start_in_memory(const session::Context& context, session::ReadyRun ready) {
@@ -161,8 +185,10 @@ class Run {
 
   /// Returns whether the run has ended within so many milliseconds; raises what a signal raises.
   bool wait(int milliseconds) {
-    const bool ended =
-        without_gil([&] { return work_->run().wait_for(std::chrono::milliseconds(milliseconds)); });
+    const bool ended = without_gil([&] {
+      work_->hold();
+      return work_->run().wait_for(std::chrono::milliseconds(milliseconds));
+    });
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     return ended;
   }
@@ -180,18 +206,13 @@ class Run {
     return arrays ? py::object(arrays->hand_over()) : py::none();
   }
 
-  /// (arrays, file, why it could not be written), once; None if the run was stopped before there
-  /// was anything.
+  /// (arrays, file, why it could not be written), the same at every call; None if the run was
+  /// stopped before there was anything.
   [[nodiscard]] py::object finish() {
-    auto end = without_gil([&]() -> std::optional<RunAtWork::End> {
-      try {
-        return work_->finish();
-      } catch (const run::StoppedBeforeFirstBatch&) {
-        return std::nullopt;
-      }
-    });
-    if (!end) return py::none();
-    return py::make_tuple(end->arrays->hand_over(), text_of(end->path), text_of(end->failure));
+    if (!end_) end_ = ended();
+    if (!*end_) return py::none();
+    const RunAtWork::End& end = **end_;
+    return py::make_tuple(end.arrays->hand_over(), text_of(end.path), text_of(end.failure));
   }
 
   /// The lines for the user since the last call.
@@ -202,8 +223,21 @@ class Run {
   }
 
  private:
+  using End = std::optional<RunAtWork::End>;
+  /// None if the run was stopped before there was anything.
+  [[nodiscard]] End ended() {
+    return without_gil([&]() -> End {
+      try {
+        return work_->finish();
+      } catch (const run::StoppedBeforeFirstBatch&) {
+        return std::nullopt;
+      }
+    });
+  }
+
   pid_t process_ = ::getpid();
   std::unique_ptr<RunAtWork> work_;
+  std::optional<End> end_;
 };
 
 }  // namespace photic::python

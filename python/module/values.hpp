@@ -27,9 +27,10 @@ class ValueReader {
     if (PyLong_Check(p)) return whole(value, path);
     if (PyFloat_Check(p)) return scene::to_node(PyFloat_AS_DOUBLE(p));
     if (PyUnicode_Check(p)) return scene::to_node(text(value, path));
-    if (py::hasattr(value, "tolist")) return read(value.attr("tolist")(), path);
-    if (py::hasattr(value, "__array__"))
-      return read(py::module_::import("numpy").attr("asarray")(value).attr("tolist")(), path);
+    if (PyType_Check(p)) return other(value, path);
+    if (is_time(value, path)) return date();
+    if (py::hasattr(value, "tolist")) return nested(value, path, &ValueReader::listed);
+    if (py::hasattr(value, "__array__")) return nested(value, path, &ValueReader::as_array);
     if (is_a("collections.abc", "Mapping", value)) return nested(value, path, &ValueReader::table);
     if (PyList_Check(p) || PyTuple_Check(p)) return nested(value, path, &ValueReader::array);
     return other(value, path);
@@ -55,21 +56,64 @@ class ValueReader {
   static std::string text(const py::handle& value, const std::string& path) {
     Py_ssize_t size = 0;
     const char* utf8 = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
-    if (utf8 != nullptr) return {utf8, static_cast<std::size_t>(size)};
-    PyErr_Clear();
-    refuse(path, "is text with a character that UTF-8 does not have");
+    if (utf8 == nullptr) {
+      PyErr_Clear();
+      refuse(path, "is text with a character that UTF-8 does not have");
+    }
+    std::string out(utf8, static_cast<std::size_t>(size));
+    if (out.find('\0') != std::string::npos) refuse(path, "is text with a null byte");
+    return out;
+  }
+
+  /// What a call of Python's returns; what it raises is a reason to refuse the value.
+  template <class Call>
+  static auto made(const std::string& path, const char* what, Call call) {
+    try {
+      return call();
+    } catch (py::error_already_set& error) {
+      if (!error.matches(PyExc_Exception)) throw;
+      refuse(path, std::string(what) + ": " + py::str(error.value()).cast<std::string>());
+    }
+  }
+
+  /// Returns whether a value is numpy's dates. Durations, which it has as integers, are refused.
+  static bool is_time(const py::handle& value, const std::string& path) {
+    const py::object type = py::getattr(value, "dtype", py::none());
+    const py::object kind = py::getattr(type, "kind", py::none());
+    if (!PyUnicode_Check(kind.ptr())) return false;
+    if (kind.equal(py::str("m")))
+      refuse(path, "a scene holds no value of Python's type timedelta64",
+             "a number, in the unit that its key has");
+    return kind.equal(py::str("M"));
+  }
+  static scene::Node date() {
+    scene::Node date;
+    date.value = scene::Date{};
+    return date;
+  }
+
+  /// What tolist() makes of an array or of a number of numpy. Some, as long doubles, it leaves.
+  scene::Node listed(const py::handle& value, const std::string& path) {
+    const auto list = made(path, "cannot be made a list", [&] { return value.attr("tolist")(); });
+    if (list.get_type().is(value.get_type())) return other(value, path);
+    return read(list, path);
+  }
+  scene::Node as_array(const py::handle& value, const std::string& path) {
+    const py::object numpy = py::module_::import("numpy");
+    return read(made(path, "cannot be made an array", [&] { return numpy.attr("asarray")(value); }),
+                path);
   }
 
   static scene::Node other(const py::handle& value, const std::string& path) {
-    if (is_a("datetime", "date", value) || is_a("datetime", "time", value)) {
-      scene::Node date;
-      date.value = scene::Date{};
-      return date;
-    }
+    if (is_a("datetime", "date", value) || is_a("datetime", "time", value)) return date();
     if (is_a("os", "PathLike", value))
-      return scene::to_node(text(py::module_::import("os").attr("fsdecode")(value), path));
+      return scene::to_node(
+          text(made(path, "is no name of a file",
+                    [&] { return py::module_::import("os").attr("fsdecode")(value); }),
+               path));
     if (is_a("numbers", "Real", value) || is_a("decimal", "Decimal", value))
-      return scene::to_node(value.attr("__float__")().cast<double>());
+      return scene::to_node(made(path, "is no number that a scene holds",
+                                 [&] { return value.attr("__float__")().cast<double>(); }));
     const auto type = value.get_type().attr("__name__").cast<std::string>();
     refuse(path, "a scene holds no value of Python's type " + type,
            "numbers, texts, true or false, lists and dicts of these");
@@ -89,7 +133,10 @@ class ValueReader {
 
   scene::Node table(const py::handle& value, const std::string& path) {
     scene::Node out = scene::empty_table();
-    for (const py::handle item : value.attr("items")()) {
+    const auto items = made(path, "has no items", [&] { return py::list(value.attr("items")()); });
+    for (const py::handle item : items) {
+      if (!PyTuple_Check(item.ptr()) || PyTuple_GET_SIZE(item.ptr()) != 2)
+        refuse(path, "has items that are no pairs");
       const auto pair = py::reinterpret_borrow<py::tuple>(item);
       const py::object key = pair[0];
       if (!PyUnicode_Check(key.ptr()))

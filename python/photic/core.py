@@ -45,6 +45,15 @@ def core() -> Any:
     return _compiled
 
 
+def refuse_in_fork(what: str) -> None:
+    """Raises photic.Error in a process that was forked after it imported this package."""
+    if os.getpid() != PROCESS:
+        raise Error(
+            f"a process that was forked cannot {what}, since it lacks the threads of the one it was forked "
+            'from: start it by "spawn", as with multiprocessing.get_context("spawn")'
+        )
+
+
 def context() -> compiled.Context:
     """The data tables, read when first asked for. Raises photic.Error where they are missing."""
     global _context

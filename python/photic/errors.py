@@ -40,6 +40,9 @@ class SceneError(Error):
         super().__init__(message)
         self.problems = problems
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), (str(self), self.problems), self.__dict__
+
 
 class Interrupted(KeyboardInterrupt):
     """Ctrl-C during a run.
@@ -50,3 +53,6 @@ class Interrupted(KeyboardInterrupt):
     def __init__(self, message: str, partial: xarray.Dataset | None) -> None:
         super().__init__(message)
         self.partial = partial
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), (str(self), self.partial), self.__dict__

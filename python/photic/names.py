@@ -1,10 +1,28 @@
 """Names that the user gives, looked up among those of results."""
 
+from __future__ import annotations
+
 import difflib
+import os
 
 from photic.errors import Error
 
 MOST_LISTED = 12  # names in a message
+
+
+def file_name(what: str, path: object) -> bytes:
+    """The name of a file as the system has it. Raises photic.Error for what is none."""
+    try:
+        name = os.fsencode(path)  # type: ignore[arg-type]
+    except UnicodeEncodeError:
+        raise Error(f"{what}: {path!r} has a character that names of files do not have") from None
+    except TypeError:
+        name = b""
+    if not name:
+        raise Error(f"{what}: {path!r} is no name of a file")
+    if b"\0" in name:
+        raise Error(f"{what}: {path!r} has a null byte")
+    return name
 
 
 def chosen(results, names, axis, wanted):

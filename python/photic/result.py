@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numbers
 import os
 import tomllib
 from typing import Any
@@ -9,8 +10,10 @@ from typing import Any
 import xarray
 from xarray.backends.netCDF4_ import NETCDF4_PYTHON_LOCK
 
-from photic.errors import Error
+from photic.core import core, is_there
+from photic.errors import Error, SceneError
 from photic.locks import netcdf_lock
+from photic.names import file_name
 
 FORMAT = 3  # the newest layout this package reads
 
@@ -56,12 +59,15 @@ def open(path: str | os.PathLike[str]) -> xarray.Dataset:
     Raises photic.Error if there is no such file or it was not written by Photic. Source: docs/guide.md,
     "Results".
     """
-    path = os.fspath(path)
+    path = os.fsdecode(file_name("path", path))
     dataset = _load(path)
     if "photic_format" not in dataset.attrs:
         raise Error(
             f"{path}: a netCDF file, but not a result of Photic: it has no attribute photic_format"
         )
+    is_number = isinstance(dataset.attrs["photic_format"], numbers.Real)
+    if not is_number:
+        raise Error(f"{path}: a damaged result: its photic_format is no number")
     if dataset.attrs["photic_format"] > FORMAT:
         raise Error(
             f"{path}: written by a newer Photic (result format {dataset.attrs['photic_format']}; "
@@ -73,6 +79,8 @@ def open(path: str | os.PathLike[str]) -> xarray.Dataset:
         return _named(dataset)
     except KeyError as error:
         raise Error(f"{path}: a result of Photic that lacks {error}") from error
+    except (AttributeError, IndexError, TypeError, ValueError) as error:
+        raise Error(f"{path}: a damaged result of Photic: {error}") from error
 
 
 def of_arrays(arrays: dict[str, Any]) -> xarray.Dataset:
@@ -156,15 +164,28 @@ def _indexed(dataset):
     return dataset.set_coords(bounds)
 
 
+def _expect_netcdf(path):
+    """Raises photic.Error for what the library does not open: HDF5 may crash where xarray does."""
+    if not is_there():
+        return
+    try:
+        core().expect_netcdf(os.fsencode(path))
+    except SceneError as error:
+        raise Error(str(error)) from None
+
+
 def _load(path):
     if not os.path.isfile(path):
         raise Error(f"{path}: is a directory" if os.path.isdir(path) else f"{path}: no such file")
+    _expect_netcdf(path)
     try:
         # Not with xarray's lock for each array: it is held already, and bears no second time.
         options = {"engine": "netcdf4", "decode_timedelta": False, "lock": False}
         with netcdf_lock, NETCDF4_PYTHON_LOCK, xarray.open_dataset(path, **options) as file:
             return file.load()
+    except Error:
+        raise
     except PermissionError as error:
         raise Error(f"{path}: {error.strerror}", exit_code=1) from error
-    except (OSError, ValueError, RuntimeError) as error:
+    except Exception as error:  # of a damaged file it may be any
         raise Error(f"{path}: not a netCDF file, or a damaged one (results end in .nc)") from error

@@ -10,7 +10,8 @@ import xarray
 
 from photic.core import SCENES, context, core
 from photic.errors import Error, Problem, SceneError
-from photic.simulation import File, Number, Run, Watcher, changes_of, file_name, refuse_unknown, start, warn, watcher_of
+from photic.names import file_name
+from photic.simulation import File, Number, Run, Watcher, changes_of, refuse_unknown, start, text_of, warn, watcher_of
 
 FLAGS = [
     "photons", "target", "max_time", "seed", "threads", "engine", "isa", "output", "continue_from", "force", "checkpoint"
@@ -65,7 +66,9 @@ class Scene:
     @classmethod
     def new(cls, kind: str) -> Scene:
         """A starter scene, as `photic new` writes it. Raises photic.Error for a kind that there is none of."""
-        text = core().starter_text(kind)
+        if not isinstance(kind, str):
+            raise Error(f"kind: {kind!r} is no text")
+        text = core().starter_text(text_of("kind", kind))
         return cls._of(core().Document.of_text(context(), text, f"{kind}.toml", os.fspath(SCENES), {}), None)
 
     @staticmethod
@@ -85,7 +88,7 @@ class Scene:
     def __contains__(self, path: object) -> bool:
         try:
             return isinstance(path, str) and self[path] is not None
-        except KeyError:
+        except (KeyError, SceneError):
             return False
 
     def __setitem__(self, path: str, value: Any) -> None:
@@ -114,6 +117,17 @@ class Scene:
     def copy(self) -> Scene:
         """Another scene of the same values."""
         return self._of(self._document.changed({}), self._file)
+
+    __copy__ = copy
+
+    def __deepcopy__(self, _: object) -> Scene:
+        return self.copy()
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """The scene as text, whose files are sought where they are."""
+        document = self._document
+        file = None if self._file is None else os.path.abspath(self._file)
+        return _of_text, (self.toml(), document.name, os.path.abspath(document.folder), file)
 
     @property
     def remarks(self) -> list[str]:
@@ -238,6 +252,11 @@ def run(
     return changed.run(photons=photons, threads=threads, output=output, **flags)
 
 
+def _of_text(text: str, name: str, folder: str, file: str | None) -> Scene:
+    document = core().Document.of_text(context(), text, os.fsencode(name), os.fsencode(folder), {})
+    return Scene._of(document, file)
+
+
 def _document_of(scene: Any) -> Any:
     if isinstance(scene, Mapping):
         return core().Document.of_values(context(), scene, {})
@@ -263,6 +282,8 @@ def _path(path: Any) -> str:
     reason = None
     if not isinstance(path, str):
         reason = "is no path"
+    elif "\0" in path:
+        reason = "has a null byte"
     elif not path.isascii() and any("\ud800" <= c <= "\udfff" for c in path):
         reason = "has a character that UTF-8 does not have"
     if reason is None:

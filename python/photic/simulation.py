@@ -14,11 +14,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
+import numpy
 import xarray
 
-from photic.core import PACKAGE, PROCESS, context, core
+from photic.core import PACKAGE, PROCESS, context, core, refuse_in_fork
 from photic.errors import Error, Interrupted
-from photic.names import suggestion
+from photic.names import file_name, suggestion
 from photic.result import of_arrays
 
 if TYPE_CHECKING:
@@ -28,6 +29,8 @@ BETWEEN_LOOKS_MS = 100
 STOPPED = 130  # the program's exit code
 ENGINES = ["lanes", "scalar"]
 MAX_THREADS = 4096
+
+_TRUTHS = (bool, numpy.bool_)
 
 Number = Union[int, float, str]
 File = Union[str, "os.PathLike[str]"]
@@ -47,23 +50,25 @@ def changes_of(photons: Number | None, target: Number | None, max_time: Number |
 
 def _quantity(name: str, value: Any) -> str:
     """The number that the program reads in a flag's text; a time without a unit is in seconds."""
-    if isinstance(value, bool) or not isinstance(value, (str, numbers.Real)):
+    if isinstance(value, (bool, numpy.timedelta64)) or not isinstance(value, (str, numbers.Real)):
         raise Error(f"{name}: {value!r} is no number")
     readers = {"photons": "photons_value", "target": "share_value", "seed": "seed_value"}
     is_time = name not in readers
-    text = f"{value}s" if is_time and not isinstance(value, str) else str(value)
+    text = f"{value}s" if is_time and not isinstance(value, str) else text_of(name, value)
     try:
         return str(getattr(core(), readers.get(name, "seconds_value"))(text))
     except ValueError as error:
         raise Error(f"{name}: {error}") from None
 
 
-def file_name(what: str, path: Any) -> bytes:
-    """The name of a file as the system has it. Raises photic.Error for what is none."""
-    try:
-        return os.fsencode(path)
-    except TypeError:
-        raise Error(f"{what}: {path!r} is no name of a file") from None
+def text_of(name: str, value: Any) -> str:
+    """A keyword's value as text that the library takes. Raises photic.Error."""
+    text = str(value)
+    if "\0" in text:
+        raise Error(f"{name}: {value!r} has a null byte")
+    if any("\ud800" <= c <= "\udfff" for c in text):
+        raise Error(f"{name}: {value!r} has a character that UTF-8 does not have")
+    return text
 
 
 def refuse_unknown(unknown: dict[str, Any], known: list[str]) -> None:
@@ -86,13 +91,12 @@ def start(
     command: str,
 ) -> Run:
     """Begins a run. Raises photic.Error where it cannot."""
-    if os.getpid() != PROCESS:
-        raise Error(
-            "a process that was forked cannot run scenes, since it lacks the threads of the one it was forked "
-            'from: start it by "spawn", as with multiprocessing.get_context("spawn")'
-        )
-    if threads is not None and not (isinstance(threads, numbers.Integral) and 1 <= threads <= MAX_THREADS):
+    refuse_in_fork("run scenes")
+    is_number = isinstance(threads, numbers.Integral) and not isinstance(threads, bool)
+    if threads is not None and not (is_number and 1 <= threads <= MAX_THREADS):
         raise Error(f"threads: {threads!r} is not a whole number from 1 to {MAX_THREADS}")
+    if not isinstance(force, _TRUTHS):
+        raise Error(f"force: {force!r} is neither True nor False")
     if engine is not None and engine not in ENGINES:
         raise Error(f"engine: there is no {engine!r}{suggestion(str(engine), ENGINES)}")
     try:
@@ -101,14 +105,21 @@ def start(
             document,
             threads=int(threads or 0),
             engine=engine or "",
-            isa="" if isa is None else str(isa),
-            earlier=b"" if continue_from is None else file_name("continue_from", continue_from),
+            isa="" if isa is None else text_of("isa", isa),
+            earlier=b"" if continue_from is None else _earlier(continue_from),
             command=command,
             output=_output(output, scene_file, force, checkpoint),
         )
     except ValueError as error:
         raise Error(f"isa: {error}") from None
     return Run(work)
+
+
+def _earlier(path: File) -> bytes:
+    """The name of a result that the library opens. Raises photic.Error."""
+    name = file_name("continue_from", path)
+    core().expect_netcdf(name)
+    return name
 
 
 def _output(output: File | None, scene_file: str | None, force: bool, checkpoint: Number | None) -> Any:
@@ -196,7 +207,10 @@ class Run:
         run.stop(); echo = run.result()
 
     Its functions may be called from any thread. The end of `with` stops it, and so does the end of
-    Python, or of the last name for it: then it ends within a fraction of a second.
+    Python, or of the last name for it: then it ends within a fraction of a second. result() writes the
+    `output`: of a run that has ended and is not asked for it, only checkpoints are left. Others may write
+    there until then; the result goes beside what another run is writing, with a warning. A process that
+    was forked has no part in it.
     """
 
     def __init__(self, work: compiled.Run) -> None:
@@ -216,17 +230,19 @@ class Run:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self.end()
+        if os.getpid() == PROCESS:  # the run goes on in the process that a fork comes from
+            self.end()
 
     @property
     def progress(self) -> compiled.Progress:
         """How far the run is, a photic.Progress: as of the last batch end, and at no cost."""
         work = self._work
-        return self._last if work is None else work.progress()
+        return self._last if work is None or os.getpid() != PROCESS else work.progress()
 
     def so_far(self) -> xarray.Dataset | None:
         """The result so far, as photic.open gives results, with the attribute partial = 1. None before
         the first batch has ended, and once the run has. Waits for the end of a batch at most."""
+        refuse_in_fork("have a result of a run")
         work = self._work
         arrays = None if work is None else work.so_far()
         return None if arrays is None else of_arrays(arrays)
@@ -234,7 +250,7 @@ class Run:
     def stop(self) -> None:
         """Asks the run to end at once, with what there is; result() has that."""
         work = self._work
-        if work is not None:
+        if work is not None and os.getpid() == PROCESS:
             work.stop()
 
     def result(self) -> xarray.Dataset:
@@ -249,21 +265,25 @@ class Run:
 
     def watched(self, watcher: _Silent) -> xarray.Dataset:
         """The result, with the progress shown meanwhile."""
+        if self._work is not None:
+            refuse_in_fork("have the result of a run")
         self._watched = True
         try:
             try:
                 self._wait(watcher)
             finally:
                 watcher.wipe()
+            return self._take()
         except KeyboardInterrupt:
             raise self._interrupted() from None
         except BaseException:
             self.end()
             raise
-        return self._take()
 
     def end(self) -> None:
         """Stops the run, and waits for its end."""
+        if self._work is not None:
+            refuse_in_fork("end a run")
         with self._lock:
             if self._work is not None:
                 self._work.end()
@@ -273,7 +293,8 @@ class Run:
         while work is not None:
             ended = work.wait(BETWEEN_LOOKS_MS)
             self._warn(work, watcher)
-            if watcher.show(work.progress()) is False:
+            seen = watcher.show(work.progress())
+            if isinstance(seen, _TRUTHS) and not seen:
                 work.stop()
                 watcher = _Silent()
             if ended:
@@ -296,7 +317,8 @@ class Run:
         return self._result
 
     def _keep(self) -> bool:
-        """Keeps the result or the failure, and nothing else of the run. Returns whether that is new."""
+        """Keeps the result or the failure, and nothing else of the run. Returns whether that is new.
+        Where Ctrl-C breaks it off, it can be called again."""
         with self._lock:
             work = self._work
             if work is None:
@@ -327,8 +349,9 @@ class Run:
             return Interrupted(f"interrupted: {self._failure}", None)
         partial = self._result
         assert partial is not None
-        message = f"the run was ended after {int(partial.attrs['photons'])} photons; "
-        message += "the result so far is in `partial` of this exception"
+        ended = "was ended" if partial.attrs["partial"] else "had ended"
+        message = f"the run {ended} after {int(partial.attrs['photons'])} photons; "
+        message += f"the result{' so far' if partial.attrs['partial'] else ''} is in `partial` of this exception"
         return Interrupted(message + (f" and in {self._path}" if self._path else ""), partial)
 
 

@@ -12,6 +12,10 @@ class NetcdfLock {
  public:
   NetcdfLock();
 
+  /// Makes it free in a process that was forked, in which no thread holds it. Returns whether it
+  /// was free before; if not, another thread may have left netCDF amid its work.
+  static bool renew();
+
  private:
   static std::recursive_mutex& mutex();
 

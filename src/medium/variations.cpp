@@ -1,6 +1,7 @@
 #include "medium/variations.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace photic::medium {
 namespace {
@@ -16,13 +17,13 @@ double scattered_by(const Coefficients& of, std::int32_t phase) {
 std::vector<std::int32_t> varied_phases(const std::vector<Variation>& variations,
                                         std::size_t cell) {
   std::vector<std::int32_t> out;
+  std::set<std::int32_t> seen;
   const auto look_at = [&](const Coefficients& one) {
     for (const auto& part : one.part) {
       const auto differs = [&](const Variation& v) {
         return scattered_by(v.from[cell], part.phase) != scattered_by(v.to[cell], part.phase);
       };
-      if (std::ranges::find(out, part.phase) == out.end() &&
-          std::ranges::any_of(variations, differs))
+      if (seen.insert(part.phase).second && std::ranges::any_of(variations, differs))
         out.push_back(part.phase);
     }
   };

@@ -103,14 +103,16 @@ Node schema_of(const WavelengthOrSteps&) {
   return either;
 }
 
-void expand_channels(Node& document) {
+std::vector<std::size_t> expand_channels(Node& document) {
   const auto& table = *document.as<Node::Table>();
   const auto given =
       std::ranges::find_if(table, [](const Entry& entry) { return entry.key == "channel"; });
-  if (given == table.end() || !given->value.as<Node::Array>()) return;
+  if (given == table.end() || !given->value.as<Node::Array>()) return {};
   Node::Array out;
+  std::vector<std::size_t> counts;
   for (const Node& channel : *given->value.as<Node::Array>()) {
     const auto steps = channel.as<Node::Table>() ? steps_of(channel) : std::nullopt;
+    counts.push_back(steps ? static_cast<std::size_t>(steps->count()) : 1);
     if (!steps) {
       out.push_back(channel);
       continue;
@@ -120,6 +122,7 @@ void expand_channels(Node& document) {
   }
   auto& channels = *document.as<Node::Table>();
   channels[static_cast<std::size_t>(given - table.begin())].value.value = std::move(out);
+  return counts;
 }
 
 }  // namespace photic::scene

@@ -327,4 +327,15 @@ std::vector<Cuts> expand_layers(Node& document, const OtherFiles& files,
   return cuts;
 }
 
+Multiples multiples_of(Node& document, const std::vector<Cuts>& cuts) {
+  Multiples out;
+  Node* sea = document.find("sea");
+  if (cuts.empty() || !sea) return out;
+  const auto stacks = stacks_in(*sea);
+  for (std::size_t i = 0; i < stacks.size(); ++i)
+    for (const auto& ends : cuts[i])
+      out[stacks[i].path].push_back(std::max<std::size_t>(ends.size(), 1));
+  return out;
+}
+
 }  // namespace photic::scene

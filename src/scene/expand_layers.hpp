@@ -7,6 +7,7 @@
 #include "scene/findings.hpp"
 #include "scene/iop_layers.hpp"
 #include "scene/node.hpp"
+#include "scene/override.hpp"
 
 namespace photic::scene {
 
@@ -25,5 +26,8 @@ struct Layered {
 /// environment's layers are cut as those of its scene are (`scene_cuts`).
 std::vector<Cuts> expand_layers(Node& document, const OtherFiles& files,
                                 const std::vector<Cuts>* scene_cuts, Findings& findings);
+
+/// How many layers each layer of a document has become, by the cuts that were made of it.
+Multiples multiples_of(Node& document, const std::vector<Cuts>& cuts);
 
 }  // namespace photic::scene

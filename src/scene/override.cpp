@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "scene/deep.hpp"
 #include "scene/parse.hpp"
 #include "scene/suggest.hpp"
 
@@ -144,6 +145,50 @@ Value* child(Value& node, const std::string& key) {
   return index && *index < array->size() ? &(*array)[*index] : nullptr;
 }
 
+/// The place to which a path leads in a document, where it has one, and in the scene read from it.
+struct InBoth {
+  const Node* given;
+  const Node* whole;
+  std::string key = {};            ///< that leads there, a number for an element
+  bool is_one_of_several = false;  ///< an element of the scene beside others from the same one
+
+  /// `counts`: how many elements each has become, if this is a list; null: one.
+  [[nodiscard]] std::optional<InBoth> below(const std::string& next,
+                                            const std::vector<std::size_t>* counts) const {
+    if (given && given->as<Node::Array>()) return element(next, counts);
+    const Node* in_whole = child(*whole, next);
+    if (!in_whole) return std::nullopt;
+    return InBoth{given ? given->find(next) : nullptr, in_whole, next};
+  }
+
+ private:
+  [[nodiscard]] std::optional<InBoth> element(const std::string& name,
+                                              const std::vector<std::size_t>* counts) const {
+    const auto& list = *given->as<Node::Array>();
+    const auto* all = whole->as<Node::Array>();
+    const auto asked = place_in(list, name);
+    std::size_t first = 0;
+    for (std::size_t i = 0; all && i < list.size() && first < all->size(); ++i) {
+      const Node& here = (*all)[first];
+      const std::size_t count = counts ? (*counts)[i] : 1;
+      const Node* by_default = list[i].find("name") ? nullptr : here.find("name");
+      const bool is_called = by_default && by_default->as<std::string>() &&
+                             *by_default->as<std::string>() == name;
+      if (asked ? *asked == i : is_called)
+        return InBoth{&list[i], &here, std::to_string(i), count > 1};
+      first += count;
+    }
+    return std::nullopt;
+  }
+};
+
+/// A name by default without the number that it has among its cuts: "layer1.0" -> "layer1".
+Node without_number(Node name) {
+  auto& text = *name.as<std::string>();
+  text.resize(text.rfind('.'));
+  return name;
+}
+
 void erase_child(Node& node, const std::string& key) {
   if (auto* array = node.as<Node::Array>())
     array->erase(array->begin() + static_cast<std::ptrdiff_t>(*place_in(*array, key)));
@@ -162,6 +207,24 @@ const Node* find(const std::string& path, const Node& document) {
   return node;
 }
 
+std::optional<Node> find_default(const std::string& path, const Node& given, const Node& whole,
+                                 const Multiples& multiples) {
+  const std::vector<std::string> keys = keys_of(path);
+  if (keys.size() > 3 && keys[0] == "environment" && keys[2] == "set") return std::nullopt;
+  InBoth here{&given, &whole};
+  std::string at;
+  for (const std::string& key : keys) {
+    const bool is_name = here.is_one_of_several && key == "name";
+    const auto counts = multiples.find(at);
+    const auto next = here.below(key, counts == multiples.end() ? nullptr : &counts->second);
+    if (!next) return std::nullopt;
+    if (is_name && !next->given) return without_number(*next->whole);
+    at = below(at, next->key);
+    here = *next;
+  }
+  return *here.whole;
+}
+
 void take_away(const std::string& path, const Place& place, Node& document, Findings& findings) {
   Node* node = &document;
   const std::vector<std::string> keys = keys_of(path);
@@ -176,6 +239,12 @@ void take_away(const std::string& path, const Place& place, Node& document, Find
 std::optional<std::string> assign(const std::string& path, Node value, const Place& place,
                                   Node& document, Findings& findings) {
   const std::vector<std::string> keys = keys_of(path);
+  if (keys.size() > max_depth) {
+    findings.add_at({shortened(place.file), place.line, place.column},
+                    fmt::format("the path has {} parts", keys.size()),
+                    fmt::format("at most {} are possible", max_depth));
+    return std::nullopt;
+  }
   Assignment assignment(place, findings);
   if (std::find(keys.begin(), keys.end(), "") != keys.end()) {
     assignment.refuse("there is an empty name in the path",

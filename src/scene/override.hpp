@@ -1,6 +1,8 @@
 // --set path=value.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +23,15 @@ void take_away(const std::string& path, const Place& place, Node& document, Find
 
 /// The value to which such a path leads; null if there is none.
 const Node* find(const std::string& path, const Node& document);
+
+/// For each list that stands for a longer one in the scene ("sea.layer", whose profiles are cut, and
+/// "channel"): the number of elements that each of its own has become.
+using Multiples = std::map<std::string, std::vector<std::size_t>>;
+
+/// The value that a scene has by default where such a path leads in the document that it was read
+/// from, `given`. `whole`: the scene's tree, every default in it.
+std::optional<Node> find_default(const std::string& path, const Node& given, const Node& whole,
+                                 const Multiples& multiples);
 
 /// Makes an environment's changes. Returns the paths of those that could be made, by numbers.
 std::vector<std::string> make_changes(const std::vector<Change>& changes, Node& document,

@@ -4,6 +4,7 @@
 // keep to; the checks it has behind the assertions report them as syntax errors.
 #undef NDEBUG
 #define TOML_ASSERT(condition) static_assert(true)
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <type_traits>
 
 #include "core/error.hpp"
+#include "scene/deep.hpp"
 #include "scene/stray.hpp"
 
 namespace photic::scene {
@@ -59,7 +61,7 @@ int as_int(toml::source_index index) { return static_cast<int>(index); }
 
 std::optional<Node> sole_value(const std::string& toml_value, const Place& place) {
   const std::string text = "value = " + toml_value;
-  if (find_stray_character(text)) return std::nullopt;
+  if (find_stray_character(text) || find_deep_key(text)) return std::nullopt;
   try {
     const toml::table table = toml::parse(text);
     if (table.size() != 1) return std::nullopt;  // more keys were smuggled in behind a line break
@@ -81,6 +83,10 @@ Node parse_toml(const std::string& text, const std::string& file) {
         {{file, stray->line, stray->column,
           "this is not TOML: a character that is not ASCII is outside quotes and comments",
           "look for typographic quotes, dashes and spaces"}});
+  if (const auto deep = find_deep_key(text))
+    throw InputError({{file, deep->line, deep->column,
+                       fmt::format("more than {} tables lie in each other here", max_depth),
+                       "no scene needs that: look for dots"}});
   try {
     return convert(toml::parse(text), place);
   } catch (const toml::parse_error& error) {

@@ -230,11 +230,13 @@ Reading read_document(Node& document, const std::string& folder, Findings& findi
   std::vector<std::string> files;
   add_files(document, folder, files);
   expand_grid(document, findings);
-  expand_channels(document);
+  const std::vector<std::size_t> channels = expand_channels(document);
   const NetcdfFiles kept_netcdf = read_once(netcdf);
   Layered layered{document, {folder, kept_netcdf}, {}};
   layered.cuts = expand_layers(document, layered.files, nullptr, findings);
   Reading reading{scene_of(document, folder, findings), {}, std::move(files)};
+  reading.multiples = multiples_of(document, layered.cuts);
+  if (!channels.empty()) reading.multiples["channel"] = channels;
   check_sea(reading.scene, findings);
   check_bottom(reading.scene, findings);
   check_oil(reading.scene, findings);

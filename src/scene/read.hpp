@@ -8,6 +8,7 @@
 #include "scene/findings.hpp"
 #include "scene/netcdf_files.hpp"
 #include "scene/node.hpp"
+#include "scene/override.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::scene {
@@ -21,6 +22,7 @@ struct Reading {
   Scene scene;
   std::vector<std::string> remarks;  ///< e.g. "scene.toml:3:1: …"
   std::vector<std::string> files;    ///< that the scene names, which nothing should replace
+  Multiples multiples = {};          ///< of the document that it was read from
 };
 
 /// The order in which a check is asked.

@@ -10,8 +10,10 @@ namespace {
 
 bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80U; }
 
-/// The end of a comment or a string that begins at `start`. Strings on one line end with it, even
-/// if their quote is missing.
+}  // namespace
+
+bool begins_free_text(char c) { return c == '#' || c == '"' || c == '\''; }
+
 std::size_t end_of_free_text(std::string_view toml, std::size_t start) {
   const char open = toml[start];
   if (open == '#') return std::min(toml.find('\n', start), toml.size());
@@ -40,14 +42,11 @@ LineColumn place_of(std::string_view toml, std::size_t position) {
   return place;
 }
 
-}  // namespace
-
 std::optional<LineColumn> find_stray_character(const std::string& toml) {
   std::size_t at = toml.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0;
   while (at < toml.size()) {
     if (!is_ascii(toml[at])) return place_of(toml, at);
-    const bool free_text = toml[at] == '#' || toml[at] == '"' || toml[at] == '\'';
-    at = free_text ? end_of_free_text(toml, at) : at + 1;
+    at = begins_free_text(toml[at]) ? end_of_free_text(toml, at) : at + 1;
   }
   return std::nullopt;
 }

@@ -76,8 +76,8 @@ scene::Scene as_chosen_in(const std::string& file, scene::Scene scene) {
   return as_chosen(std::move(scene), scene::read_scene_text(text, file, folder_of(file)).scene);
 }
 
-Earlier take_up(const std::string& file, const scene::Scene& scene,
-                const optics::Library& library) {
+Earlier take_up(const std::string& file, const scene::Scene& scene, const optics::Library& library,
+                const Words& words) {
   const io::RunSoFar run = io::read_run(file);
   std::vector<Diagnostic> problems = obstacles(run, file, scene, library);
   const auto asked = scene.simulation.photons;
@@ -86,7 +86,7 @@ Earlier take_up(const std::string& file, const scene::Scene& scene,
         {.file = file,
          .reason = fmt::format("holds {} photons already, more than the {} requested", run.photons,
                                *asked),
-         .suggestion = "--photons is the total, not what is added"});
+         .suggestion = words.photons + " is the total, not what is added"});
   }
   if (!problems.empty()) throw InputError(problems);
   return {.start = {.state = io::read_state(file, estimator::make_model(scene, library).shape),

@@ -11,6 +11,7 @@
 #include "run/run.hpp"
 #include "scene/read.hpp"
 #include "session/context.hpp"
+#include "session/front_end.hpp"
 
 namespace photic::session {
 
@@ -33,7 +34,8 @@ struct Earlier {
 /// Throws InputError with all that keeps a run of this scene from going on from the result: another
 /// version of Photic, every key of the scene but those that only say when to stop, photons asked
 /// for that are fewer than those there.
-Earlier take_up(const std::string& file, const scene::Scene& scene, const optics::Library& library);
+Earlier take_up(const std::string& file, const scene::Scene& scene, const optics::Library& library,
+                const Words& words = {});
 
 /// Returns whether a result of this program is of this scene, but for when its run was to stop.
 bool is_same_scene(const io::RunSoFar& run, const std::string& file, const scene::Scene& scene,

@@ -20,11 +20,11 @@ fs::path renamed(const fs::path& file, const std::string& ending) {
 }
 
 [[noreturn]] void refuse_to_replace(const std::string& file, const std::string& reason,
-                                    const std::string& way = "") {
+                                    const Words& words, const std::string& way = "") {
   throw UsageError(
-      fmt::format("{}: {}, and is left as it is ({}choose another name with -o, or --force to "
+      fmt::format("{}: {}, and is left as it is ({}choose another name with {}, or {} to "
                   "replace it)",
-                  file, reason, way));
+                  file, reason, way, words.output, words.force));
 }
 
 std::string more_photons(const Occupant& occupant) {
@@ -67,17 +67,19 @@ Destination::Destination(std::string path, const Origin& origin, bool force,
 }
 
 void Destination::expect_room(const Occupant& occupant) const {
-  if (!occupant.reason.empty()) refuse_to_replace(path_, occupant.reason);
+  const Words& words = front_end_.words;
+  if (!occupant.reason.empty()) refuse_to_replace(path_, occupant.reason, words);
   const auto asked = origin_.scene.simulation.photons;
   if (occupant.kind == Kind::same_scene && asked && *asked < occupant.photons)
     refuse_to_replace(path_,
                       fmt::format("{}, more than the {} requested", more_photons(occupant), *asked),
-                      fmt::format("add to them with --continue {}, ", path_));
+                      words, fmt::format("add to them with {}, ", words.set(words.earlier, path_)));
   if (occupant.kind != Kind::edited_scene && occupant.kind != Kind::some_scene) return;
   const Occupant previous = occupant_of(previous_, origin_);
   if (!previous.reason.empty())
     refuse_to_replace(previous_,
-                      fmt::format("{}; {} would be kept under this name", previous.reason, path_));
+                      fmt::format("{}; {} would be kept under this name", previous.reason, path_),
+                      words);
 }
 
 Place Destination::beside(const std::string& why) {

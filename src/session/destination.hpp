@@ -25,9 +25,10 @@ class Destination {
 
   /// Returns the place of this result, as things are now that it is known.
   Place place_of(const tally::Result& result);
+  /// A place beside, with a remark that has the reason.
+  [[nodiscard]] Place beside(const std::string& why);
 
  private:
-  [[nodiscard]] Place beside(const std::string& why);
   void expect_room(const Occupant& occupant) const;
 
   std::string path_, previous_;

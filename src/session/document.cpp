@@ -5,6 +5,7 @@
 
 #include "estimator/model.hpp"
 #include "io/netcdf_variable.hpp"
+#include "scene/environment_grid.hpp"
 #include "scene/findings.hpp"
 #include "scene/format.hpp"
 #include "scene/override.hpp"
@@ -48,6 +49,13 @@ scene::Reading checked(const Context& context, Node given, const std::string& fo
   changed = given;
   return scene::read_document(given, folder, findings, estimator::optics_check(context.library),
                               io::netcdf_files());
+}
+
+/// The document with the environments of a grid in full.
+Node with_all_environments(Node document) {
+  scene::Findings none(document, document.place);
+  scene::expand_grid(document, none);
+  return document;
 }
 
 bool holds_tables(const Node& node) {
@@ -96,9 +104,12 @@ void Document::change(const std::vector<Change>& changes) {
 
 std::optional<Node> Document::find(const std::string& path) const {
   if (const Node* given = scene::find(path, given_)) return *given;
-  const Node whole = scene::tree_of(reading_.scene);
-  const Node* found = scene::find(path, whole);
-  return found ? std::optional(*found) : std::nullopt;
+  if (path.starts_with("environment.") && given_.find("environment_grid")) {
+    const Node full = with_all_environments(given_);
+    if (const Node* given = scene::find(path, full)) return *given;
+    return scene::find_default(path, full, scene::tree_of(reading_.scene), reading_.multiples);
+  }
+  return scene::find_default(path, given_, scene::tree_of(reading_.scene), reading_.multiples);
 }
 
 std::string Document::toml() const {

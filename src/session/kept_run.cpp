@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "session/result_file.hpp"
 
@@ -34,7 +35,9 @@ KeptRun::KeptRun(const Context& context, ReadyRun ready, const ResultFile& file,
     : front_end_(std::move(front_end)),
       origin_(origin_of(context, ready, file)),
       history_(std::move(ready.history)),
-      lock_(writable(file.path), front_end_),
+      path_(file.path),
+      lets_go_(file.lets_go),
+      lock_(std::in_place, writable(path_), front_end_),
       destination_(file.path, origin_, file.force, front_end_),
       checkpoint_(file.path, origin_, history_, front_end_) {
   if (file.checkpoint_s) first_checkpoint_s_ = between_checkpoints_s_ = *file.checkpoint_s;
@@ -53,6 +56,27 @@ void KeptRun::end() {
   keeper_ = {};  // joined: it waits for the run's end
 }
 
+void KeptRun::hold() {
+  const std::scoped_lock lock(mutex_);
+  is_held_ = true;
+}
+
+void KeptRun::let_go() {
+  const std::scoped_lock lock(mutex_);
+  lock_.reset();
+}
+
+bool KeptRun::take_back() {
+  const std::scoped_lock lock(mutex_);
+  if (lock_) return true;
+  try {
+    lock_.emplace(path_, front_end_);
+  } catch (const UsageError&) {
+    return false;
+  }
+  return true;
+}
+
 void KeptRun::report(const std::string& line) const {
   if (!line.empty()) front_end_.report(line);
 }
@@ -61,15 +85,19 @@ void KeptRun::keep() {
   for (double pause_s = first_checkpoint_s_; !run_->wait_for(in_milliseconds(pause_s));
        pause_s = between_checkpoints_s_)
     if (const auto so_far = run_->so_far(true)) checkpoint_.write(*so_far);
+  const std::scoped_lock lock(mutex_);
+  if (lets_go_ && !is_held_) lock_.reset();
 }
 
 KeptRun::Kept KeptRun::write(const tally::Result& result) {
   keeper_ = {};  // joined: it writes no more
-  const Place place = destination_.place_of(result);
+  const bool is_ours = take_back();
+  const Place place =
+      is_ours ? destination_.place_of(result) : destination_.beside("another run is at work on it");
   session::write(result, place.path,
                  {.history = history_, .scene_file = origin_.scene_file, .keep_as = place.keep_as});
   report(place.remark);
-  return {place.path, checkpoint_.finish(result)};
+  return {place.path, is_ours ? checkpoint_.finish(result) : ""};
 }
 
 void KeptRun::report_leftover() const { report(checkpoint_.leftover(0)); }

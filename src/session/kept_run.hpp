@@ -2,6 +2,7 @@
 // not live to its end.
 #pragma once
 
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -23,6 +24,7 @@ struct ResultFile {
   std::string scene_file;              ///< empty: not known
   bool force = false;                  ///< whatever is there is replaced
   std::optional<double> checkpoint_s;  ///< time between checkpoints; none: the usual
+  bool lets_go = false;                ///< its name is free once the run has ended: see hold()
 };
 
 class KeptRun {
@@ -40,12 +42,18 @@ class KeptRun {
   /// Stops, and waits for the end; nothing is written after it but by write().
   void end();
 
+  /// Keeps the file's name locked from now until the result is written, if it still is.
+  void hold();
+  /// Makes the file's name free for other runs until write(). Of a run that has ended.
+  void let_go();
+
   /// The places of a result that was written.
   struct Kept {
     std::string path;
     std::string checkpoint;  ///< to go on from, where the result is partial and no netCDF; or empty
   };
-  /// Writes the result of the run. Throws EnvironmentError; then the last checkpoint stays.
+  /// Writes the result of the run; beside the file if another run is at work on that by now. Throws
+  /// EnvironmentError; then the last checkpoint stays.
   Kept write(const tally::Result& result);
   /// The lines of a result about its origin.
   [[nodiscard]] io::WriteInfo origin() const {
@@ -58,11 +66,17 @@ class KeptRun {
   void report(const std::string& line) const;
   /// Writes checkpoints until the run has ended.
   void keep();
+  /// Locks the file's name again; false if another run has it.
+  bool take_back();
 
   FrontEnd front_end_;
   Origin origin_;
   std::string history_;
-  Lock lock_;
+  std::string path_;
+  bool lets_go_;
+  std::mutex mutex_;  ///< of the two below
+  bool is_held_ = false;
+  std::optional<Lock> lock_;
   Destination destination_;
   Checkpoint checkpoint_;
   double first_checkpoint_s_ = 60;     ///< after the start

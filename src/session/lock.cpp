@@ -41,10 +41,15 @@ bool is_there(int file, const std::string& path) {
          opened.st_dev == found.st_dev && opened.st_ino == found.st_ino;
 }
 
-void sign(int file) {
+/// The name of this process.
+std::string signature() {
   std::array<char, 256> host{};
   if (::gethostname(host.data(), host.size() - 1) != 0) host.fill('\0');
-  const std::string text = fmt::format("process {} on {}", ::getpid(), host.data());
+  return fmt::format("process {} on {}", ::getpid(), host.data());
+}
+
+void sign(int file) {
+  const std::string text = signature();
   // On a full disk the lock holds without its owner's name.
   static_cast<void>(::ftruncate(file, 0) == 0 && ::pwrite(file, text.data(), text.size(), 0) >= 0);
 }
@@ -56,11 +61,13 @@ std::string owner(int file) {
                     : "another process";
 }
 
-[[noreturn]] void refuse_second(int file, const std::string& result) {
+[[noreturn]] void refuse_second(int file, const std::string& result, const Words& words) {
   const std::string who = owner(file);
   ::close(file);
   throw UsageError(fmt::format(
-      "{}: {} is at work on it (wait for its end, or choose another name with -o)", result, who));
+      "{}: {} (wait for its end, or choose another name with {})", result,
+      who == signature() ? "a run of this process writes to it" : who + " is at work on it",
+      words.output));
 }
 
 }  // namespace
@@ -76,7 +83,7 @@ Lock::Lock(const std::string& result, const FrontEnd& front_end) : path_(lock_pa
       continue;
     }
     const int why = errno;
-    if (file >= 0 && why == EWOULDBLOCK) refuse_second(file, result);
+    if (file >= 0 && why == EWOULDBLOCK) refuse_second(file, result, front_end.words);
     if (file >= 0) ::close(file);
     front_end.report(fmt::format("{}: cannot be locked: {} (let no other run write it)", result,
                                  std::strerror(why)));

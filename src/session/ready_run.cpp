@@ -21,9 +21,10 @@ std::optional<Isa> lanes_asked(const RunRequest& request, const scene::Scene& sc
     return std::nullopt;
   if (request.engine != "scalar") return isa_of(request.isa).value_or(isas_here().back());
   if (request.isa.empty()) return std::nullopt;
-  throw InputError({{.file = "--isa " + request.isa,
+  const Words& words = request.words;
+  throw InputError({{.file = words.set(words.isa, request.isa),
                      .reason = "only lanes are made of instructions to choose",
-                     .suggestion = "--engine lanes, or leave it out"}});
+                     .suggestion = words.set(words.engine, "lanes") + ", or leave it out"}});
 }
 
 /// The engine of a run that goes on from one that ran in `before`: bits depend on it.
@@ -44,7 +45,8 @@ std::optional<Isa> lanes_going_on(const RunRequest& request, const scene::Scene&
       {{.file = request.earlier,
         .reason = fmt::format("ran in the engine {}, and is to continue in {}",
                               schedule::engine_name(before), schedule::engine_name(now)),
-        .suggestion = "leave out --engine and --isa"}});
+        .suggestion =
+            fmt::format("leave out {} and {}", request.words.engine, request.words.isa)}});
 }
 
 void go_on_from(Earlier earlier, const RunRequest& request, ReadyRun& run) {
@@ -56,8 +58,8 @@ void go_on_from(Earlier earlier, const RunRequest& request, ReadyRun& run) {
   run.options.start = std::move(earlier.start);
   run.photons_before = earlier.photons;
   if (earlier.photons == run.scene.simulation.photons)
-    run.remark = fmt::format("{}: already holds all {} photons requested (--photons is the total)",
-                             request.earlier, earlier.photons);
+    run.remark = fmt::format("{}: already holds all {} photons requested ({} is the total)",
+                             request.earlier, earlier.photons, request.words.photons);
 }
 
 }  // namespace
@@ -68,7 +70,7 @@ ReadyRun make_ready(const Context& context, scene::Scene scene, const RunRequest
   run.options.lanes = lanes_asked(request, run.scene);
   if (request.earlier.empty()) return run;
   run.scene = as_chosen_in(request.earlier, std::move(run.scene));
-  go_on_from(take_up(request.earlier, run.scene, *context.library), request, run);
+  go_on_from(take_up(request.earlier, run.scene, *context.library, request.words), request, run);
   return run;
 }
 

@@ -8,6 +8,7 @@
 #include "run/run.hpp"
 #include "scene/scene.hpp"
 #include "session/context.hpp"
+#include "session/front_end.hpp"
 
 namespace photic::session {
 
@@ -18,6 +19,7 @@ struct RunRequest {
   std::string isa;      ///< of lanes; empty: the best there is
   std::string earlier;  ///< the result to go on from; empty: none
   std::string command;  ///< for the history of the result
+  Words words = {};
 };
 
 struct ReadyRun {

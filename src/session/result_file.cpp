@@ -40,7 +40,7 @@ bool is_folder(const std::string& output) {
 }
 
 std::string result_path(const std::string& output, const std::string& scene_file,
-                        const std::string& earlier) {
+                        const std::string& earlier, const Words& words) {
   const std::string named_after = scene_file.empty() ? without_checkpoint(earlier) : scene_file;
   std::string name = fs::path(named_after).filename().replace_extension(".nc").string();
   if (output.empty()) return name;
@@ -49,25 +49,28 @@ std::string result_path(const std::string& output, const std::string& scene_file
     return (fs::path(output) / name).string();
   }
   if (!format_of(output))
-    throw UsageError(output + ": the result's name ends in none of .nc, .csv and .txt (write -o " +
-                     output + ".nc, or -o " + output + "/ for a folder)");
-  spare_scene(output, scene_file);
+    throw UsageError(fmt::format(
+        "{}: the result's name ends in none of .nc, .csv and .txt (write {}, or {} for a folder)",
+        output, words.set(words.output, output + ".nc"), words.set(words.output, output + "/")));
+  spare_scene(output, scene_file, words);
   return output;
 }
 
-void spare_scene(const std::string& output, const std::string& scene_file) {
+void spare_scene(const std::string& output, const std::string& scene_file, const Words& words) {
   std::error_code none;
   if (fs::equivalent(output, scene_file, none))
-    throw UsageError(output + ": the result would replace the scene (choose another name with -o)");
+    throw UsageError(
+        fmt::format("{}: the result would replace the scene (choose another name with {})", output,
+                    words.output));
 }
 
-void spare(const std::vector<std::string>& inputs, const std::string& output) {
+void spare(const std::vector<std::string>& inputs, const std::string& output, const Words& words) {
   std::error_code none;
   for (const std::string& input : inputs) {
     if (fs::equivalent(output, input, none))
-      throw UsageError(output +
-                       ": the result would replace a file that it is made of "
-                       "(choose another name with -o)");
+      throw UsageError(fmt::format(
+          "{}: the result would replace a file that it is made of (choose another name with {})",
+          output, words.output));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/netcdf.hpp"
+#include "session/front_end.hpp"
 #include "tally/result.hpp"
 
 namespace photic::session {
@@ -22,12 +23,13 @@ bool is_folder(const std::string& output);
 /// the name of the earlier result. Throws UsageError unless it has a Format and is another file
 /// than the scene, EnvironmentError for a folder that cannot be made.
 std::string result_path(const std::string& output, const std::string& scene_file,
-                        const std::string& earlier);
+                        const std::string& earlier, const Words& words = {});
 
 /// Throws UsageError if the output is the scene file.
-void spare_scene(const std::string& output, const std::string& scene_file);
+void spare_scene(const std::string& output, const std::string& scene_file, const Words& words = {});
 /// Throws UsageError if the output is one of the files that it is made of.
-void spare(const std::vector<std::string>& inputs, const std::string& output);
+void spare(const std::vector<std::string>& inputs, const std::string& output,
+           const Words& words = {});
 
 /// A scene file seen from the folder of a result, so that both may move.
 std::string seen_from(const std::string& result, const std::string& scene_file);

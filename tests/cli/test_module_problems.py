@@ -1,9 +1,13 @@
 """What the program refuses, the Python module refuses in the same words; and values that no file can hold."""
 
+import copy
 import datetime
 import decimal
 import pathlib
+import pickle
 import re
+import subprocess
+import sys
 import tomllib
 
 import numpy
@@ -91,8 +95,8 @@ def test_values_by_paths():
     assert "sea.layer.1" in scene and "sea.layer.2" not in scene and 3 not in scene
     with pytest.raises(KeyError, match="sea.layer.2"):
         scene["sea.layer.2"]
-    copy = scene.copy()
-    copy["gates.depth_max_m"] = 5.0
+    other = scene.copy()
+    other["gates.depth_max_m"] = 5.0
     assert scene["gates.depth_max_m"] == 10.0
     again = package.Scene(scene.toml())
     assert again["channel.R.process"] == "raman"
@@ -108,6 +112,8 @@ TAKEN = {
     "array of one": (numpy.array(1.5), 1.5),
     "xarray": (xarray.DataArray(1.5), 1.5),
     "decimal": (decimal.Decimal("1.5"), 1.5),
+    "long double": (numpy.longdouble(1.5), 1.5),
+    "array of one long double": (numpy.array(1.5, "g"), 1.5),
 }
 
 
@@ -138,6 +144,16 @@ ITSELF.append(ITSELF)
 DEEP = 1.0
 for _ in range(100):
     DEEP = [DEEP]
+ARRAY_IN_ITSELF = numpy.empty((), object)
+ARRAY_IN_ITSELF[()] = ARRAY_IN_ITSELF
+
+
+class NoPairs(dict):
+    def items(self):
+        return [1, 2]
+
+
+# Seen red, the last ten but xarray's dates: arrays in themselves without end, nanoseconds taken for numbers, what others raise.
 REFUSED_VALUES = {
     "none": (None, "a scene holds no value of Python's type NoneType"),
     "set": ({1.0}, "a scene holds no value of Python's type set"),
@@ -155,6 +171,16 @@ REFUSED_VALUES = {
     "half a character": ("\ud800", "is text with a character that UTF-8 does not have"),
     "path": (pathlib.Path("a"), "must be a finite number"),
     "class": (float, "a scene holds no value of Python's type type"),
+    "class of arrays": (numpy.ndarray, "a scene holds no value of Python's type type"),
+    "complex long double": (numpy.clongdouble(1), "a scene holds no value of Python's type"),
+    "array in itself": (ARRAY_IN_ITSELF, "a scene holds no value of Python's type ndarray"),
+    "nanoseconds": (numpy.timedelta64(3, "ns"), "a scene holds no value of Python's type timedelta64"),
+    "array of nanoseconds": (numpy.array([3], "m8[ns]"), "a scene holds no value of Python's type timedelta64"),
+    "datetime64 in ns": (numpy.datetime64(3, "ns"), "must be a finite number"),
+    "dates of xarray": (xarray.DataArray(numpy.array([3], "M8[ns]")), "must be a finite number"),
+    "no pairs": (NoPairs(a=1), "has items that are no pairs"),
+    "signaling nan": (decimal.Decimal("sNaN"), "cannot convert signaling NaN to float"),
+    "null byte": ("a\0b", "is text with a null byte"),
 }
 
 
@@ -214,3 +240,100 @@ def test_remarks_are_those_of_the_program_and_warnings_of_runs(photic, tmp_path)
     with pytest.warns(UserWarning, match=re.escape(remarks[0])) as warned:
         scene.run(photons=500)
     assert {warning.filename for warning in warned} == {__file__}
+
+
+# Seen red: names and texts without these checks.
+NAMES = {
+    "nothing": (lambda s: s.run(continue_from=""), "^continue_from: '' is no name of a file"),
+    "no output": (lambda s: s.run(output=""), "^output: '' is no name of a file"),
+    "null byte": (lambda s: s.run(output="a\0.nc"), r"^output: 'a\\x00.nc' has a null byte"),
+    "null byte in save": (lambda s: s.save("a\0"), "^path: .* has a null byte"),
+    "null byte in load": (lambda s: s.load("a\0"), "^scene: .* has a null byte"),
+    "null byte in open": (lambda s: package.open("a\0"), "^path: .* has a null byte"),
+    "null byte in a number": (lambda s: s.run(photons="1e3\0"), r"^photons: '1e3\\x00' has a null byte"),
+    "null byte in a path": (lambda s: s.update({"a\0b": 1}), r"^'a\\x00b': has a null byte"),
+    "null byte in a key": (lambda s: s.update({"sea": {"a\0b": 1}}), "^sea: is text with a null byte"),
+    "null byte in TOML": (lambda s: package.Scene(QUICK_SCENE + '[x."a\\u0000b"]'), r"unknown key 'x' in the scene"),
+    "half a character": (lambda s: s.run(output="\ud800.nc"), "^output: .* has a character that names of files do not have"),
+    "half a character in save": (lambda s: s.save("\ud800"), "^path: .* has a character that names"),
+    "half a character in load": (lambda s: s.load("\ud800"), "^scene: .* has a character that names"),
+    "half a character in isa": (lambda s: s.run(isa="\ud800"), "^isa: .* has a character that UTF-8 does not have"),
+    "half a character in new": (lambda s: s.new("\ud800"), "^kind: .* has a character that UTF-8 does not have"),
+    "number for a kind": (lambda s: s.new(3), "^kind: 3 is no text"),
+}
+
+
+@pytest.mark.parametrize("what", NAMES)
+def test_names_that_are_refused(what):
+    call, reason = NAMES[what]
+    with pytest.raises(package.Error, match=reason):
+        call(package.Scene(QUICK_SCENE))
+    assert "\ud800" not in package.Scene(QUICK_SCENE)
+
+
+# Seen red: with exceptions that end at a null byte.
+def test_messages_go_on_after_a_null_byte():
+    with pytest.raises(package.SceneError) as error:
+        package.Scene(QUICK_SCENE + '"a\\u0000b" = 1\n')
+    assert "unknown key 'a\\u0000b' in [simulation]" in str(error.value)
+
+
+DEEP_SCENES = {
+    "key": "a." * 30000 + "b = 1",
+    "header": "[" + "a." * 30000 + "b]\nc = 1",
+    "tables in each other": "x = " + "{ a.b.c.d.e = " * 100 + "1" + " }" * 100,
+    "header and key": "[[" + "a." * 200 + "b]]\n" + "c." * 57 + "x = 1",
+}
+DEEP_CALLS = """
+import sys, photic
+scene, text = photic.Scene(sys.stdin.read()), %r
+for call in [lambda: photic.Scene(text), lambda: scene.update({"a." * 50000 + "b": 1}), lambda: scene["a." * 50000 + "b"]]:
+    try: call()
+    except (photic.SceneError, KeyError) as error: print(str(error)[:100])
+"""
+
+
+# In a process of its own: without the look at keys, it runs out of stack. Seen red.
+@pytest.mark.parametrize("what", DEEP_SCENES)
+def test_paths_that_are_too_deep(photic, scene, what):
+    code = DEEP_CALLS % DEEP_SCENES[what]
+    done = subprocess.run([sys.executable, "-c", code], input=QUICK_SCENE, capture_output=True, text=True, check=False)
+    text, path, none = done.stdout.splitlines()
+    assert text.startswith("scene:") and "more than 256 tables lie in each other here" in text
+    assert "the path has 50001 parts (at most 256 are possible)" in path and none.startswith("'a.a.a.")
+    refused = photic("check", scene, "--set", "a." * 30000 + "b=1")
+    assert refused.returncode == 2 and "the path has 30001 parts" in refused.stderr
+
+
+LAYERS = [
+    {"name": "top", "bottom_depth_m": 10, "cdom_a440_per_m": 0.07, "chlorophyll_mg_m3": {"depth_m": [0, 3, 10], "value": [1, 2, 3.0]}},
+    {"name": "deep", "chlorophyll_mg_m3": 0.1},
+]
+
+
+# Seen red: with the layers by default counted as they are cut.
+def test_defaults_are_those_of_the_layer_that_is_asked_for():
+    scene = package.Scene.new("airborne")
+    scene["sea"] = {"layer": LAYERS}
+    assert scene["sea.layer.1.cdom_a440_per_m"] == scene["sea.layer.deep.cdom_a440_per_m"] == 0.0
+    assert scene["sea.layer.top.cdom_a440_per_m"] == 0.07
+    for path in ("sea.layer.1.bottom_depth_m", "sea.layer.7.name", "sea.layer.2", "sea.layer.1.chlorophyll_mg_m3.value"):
+        with pytest.raises(KeyError):
+            scene[path]
+    assert package.Scene.new("argo")["sea.layer.0.name"] == "layer0"
+
+
+# Seen red: without __reduce__; with a copy that shares the scene.
+def test_scenes_and_errors_are_copied_and_pickled(tmp_path, monkeypatch):
+    scene = package.Scene.new("argo")  # with a file beside it
+    monkeypatch.chdir(tmp_path)
+    for made in (copy.copy(scene), copy.deepcopy(scene), pickle.loads(pickle.dumps(scene))):
+        assert made.toml() == scene.toml() and repr(made) == repr(scene)
+        made["gates.depth_max_m"] = 5.0
+        assert scene["gates.depth_max_m"] != 5.0
+    problem = package.Problem("a.toml", 1, 2, "sea", "is wrong", "mend it")
+    interrupted = package.Interrupted("stopped", xarray.Dataset({"a": 1}))
+    for error in (package.SceneError("text", [problem]), package.Error("no", 1, interrupted.partial), interrupted):
+        for made in (copy.copy(error), copy.deepcopy(error), pickle.loads(pickle.dumps(error))):
+            assert type(made) is type(error) and str(made) == str(error)
+            assert repr(vars(made)) == repr(vars(error))

@@ -183,3 +183,14 @@ def test_python_goes_on_meanwhile():
             time.sleep(0.01)
         run.stop()
         waiting.join()
+
+
+# Four times the environments take four times as long: phase functions are not looked at anew for each of them.
+def test_environments_cost_by_their_number():
+    scene = package.Scene.new("ship")
+
+    def cost(number):
+        same = [{"name": f"e{i}", "set": {"sea.layer.0.chlorophyll_mg_m3": 0.1}} for i in range(number)]
+        return cpu_of(lambda: scene.update({"environment": same}))
+
+    assert cost(2000) < 8 * cost(500)

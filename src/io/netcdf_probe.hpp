@@ -1,0 +1,13 @@
+// Damaged files on which HDF5 crashes, found out where a crash takes nothing with it.
+#pragma once
+
+#include <string>
+
+namespace photic::io {
+
+/// Opens and reads a netCDF file in a process that is forked for it: HDF5 1.10 writes beyond its memory in
+/// some damaged files, even where it reports an error. Throws as NetcdfReader does, and InputError
+/// for a file that ends that process. Where no process can be forked, it finds nothing.
+void expect_netcdf(const std::string& path);
+
+}  // namespace photic::io
