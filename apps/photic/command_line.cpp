@@ -118,6 +118,7 @@ Command chosen(const CLI::App& app, Commands& all, const Call& call) {
   all.run.call = all.plot.call = all.optics.call = all.starter.call = call;
   if (app.got_subcommand("run")) return all.run;
   if (app.got_subcommand("plot")) return all.plot;
+  if (app.got_subcommand("analyse")) return all.analyse;
   if (app.got_subcommand("bench")) return all.bench;
   if (app.got_subcommand("check")) return all.check;
   if (app.got_subcommand("show")) return all.show;

@@ -44,6 +44,16 @@ struct PlotCommand {
   Call call;
 };
 
+/// photic analyse: applies a function of the Python package to a result.
+struct AnalyseCommand {
+  std::string file;                  ///< a result, or a scene
+  std::string function;              ///< by its name, "k-lidar"
+  std::vector<std::string> options;  ///< those of the function, as words: "--channel=raman"
+  std::string output;                ///< .nc, .csv, .png, .pdf or .svg; empty: none
+  bool json = false;
+  bool force = false;  ///< replaces whatever is where the output goes
+};
+
 /// photic bench: compares the estimators on a scene.
 struct BenchCommand {
   std::string scene;
@@ -116,12 +126,13 @@ struct CompleteCommand {
 /// photic --version
 struct VersionCommand {};
 
-using Command = std::variant<RunCommand, PlotCommand, BenchCommand, CheckCommand, ShowCommand,
-                             OpticsCommand, NewCommand, SchemaCommand, HelpCommand, ManualCommand,
-                             CompleteCommand, VersionCommand>;
+using Command = std::variant<RunCommand, PlotCommand, AnalyseCommand, BenchCommand, CheckCommand,
+                             ShowCommand, OpticsCommand, NewCommand, SchemaCommand, HelpCommand,
+                             ManualCommand, CompleteCommand, VersionCommand>;
 
 int run(const RunCommand& command);
 int run(const PlotCommand& command);
+int run(const AnalyseCommand& command);
 int run(const BenchCommand& command);
 int run(const CheckCommand& command);
 int run(const ShowCommand& command);

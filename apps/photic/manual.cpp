@@ -97,7 +97,7 @@ const std::vector<ExitCode>& exit_codes() {
 const std::vector<Variable>& variables() {
   static const std::vector<Variable> all{
       {"PHOTIC_DATA", "a folder of data tables in place of Photic's own"},
-      {"PHOTIC_PYTHON", "the Python that draws plots, in place of the system's"},
+      {"PHOTIC_PYTHON", "the Python that draws and analyses, in place of the system's"},
       {"NO_COLOR", "if it is set, nothing is coloured"}};
   return all;
 }

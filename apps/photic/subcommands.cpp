@@ -149,6 +149,94 @@ void add_plot(CLI::App& app, PlotCommand& plot, Notes& notes) {
       {"photic plot my.nc -o my.svg --width-mm 84", "for one column of a journal"}};
 }
 
+/// Adds an option that is passed on, which the Python package checks.
+void add_passed_on(CLI::App& sub, std::vector<std::string>& words, const std::string& flag,
+                   const std::string& type, const std::string& description) {
+  sub.add_option_function<std::string>(
+         flag, [&words, flag](const std::string& text) { words.push_back(flag + '=' + text); },
+         description)
+      ->type_name(type);
+}
+
+/// The same of one that may be given several times.
+void add_passed_on_again(CLI::App& sub, std::vector<std::string>& words, const std::string& flag,
+                         const std::string& description) {
+  sub.add_option_function<std::vector<std::string>>(
+         flag,
+         [&words, flag](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) words.push_back(flag + '=' + text);
+         },
+         description)
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+}
+
+void add_functions(CLI::App& sub, AnalyseCommand& analyse, Notes& notes) {
+  CLI::Option* function = sub.add_option(
+      "function", analyse.function,
+      "range-corrected, k-lidar, z90, ratio, oil-thickness or linear-fit of a result; overlap or "
+      "lidar-equation of its scene");
+  function->type_name("FUNCTION")->required();
+  notes.choices[function] = {"range-corrected", "k-lidar",    "z90",     "ratio",
+                             "oil-thickness",   "linear-fit", "overlap", "lidar-equation"};
+}
+
+/// The keywords of the functions.
+void add_keywords(CLI::App& sub, std::vector<std::string>& words) {
+  add_passed_on_again(sub, words, "--telescope", "Only this one; may be repeated");
+  add_passed_on_again(sub, words, "--channel",
+                      "k-lidar, z90, linear-fit, oil-thickness: the channel; range-corrected, "
+                      "overlap, lidar-equation: only this one, may be repeated");
+  add_passed_on_again(sub, words, "--environment",
+                      "k-lidar, z90, ratio: in this water in place of the scene's; linear-fit: "
+                      "through this one [default: all that set the number]; may be repeated");
+  add_passed_on(sub, words, "--of", "CHANNEL",
+                "ratio, linear-fit: the channel above [default: chlorophyll]");
+  add_passed_on(sub, words, "--over", "CHANNEL",
+                "ratio, linear-fit: the channel below [default: raman]");
+  add_passed_on(sub, words, "--reference", "NAME",
+                "ratio, linear-fit: divide by the ratio in this environment");
+  add_passed_on(sub, words, "--share", "SHARE",
+                "z90, linear-fit: the share of the light above the depth [default: 0.9]");
+  sub.add_option_function<std::vector<std::string>>(
+         "--depths",
+         [&words](const std::vector<std::string>& ends) {
+           words.emplace_back("--depths");
+           words.insert(words.end(), ends.begin(), ends.end());
+         },
+         "k-lidar: the first and the last depth of the fit, in m [default: all of the water]")
+      ->type_name("FIRST LAST")
+      ->expected(2)
+      ->allow_extra_args(false);
+  add_passed_on(sub, words, "--against", "PATH",
+                "linear-fit: the number that environments set [default: that which they set, if it "
+                "is one alone]");
+  add_passed_on(sub, words, "--clean", "NAME|RESULT.nc",
+                "oil-thickness: the sea without the film, an environment or another result");
+  add_passed_on(sub, words, "--formula", "FORMULA",
+                "oil-thickness: interfaces or paper [default: interfaces]");
+}
+
+/// Adds `photic analyse`. The Python package checks its values.
+void add_analyse(CLI::App& app, AnalyseCommand& analyse, Notes& notes) {
+  CLI::App& sub = *app.add_subcommand("analyse", "Derive numbers from a result, with their errors");
+  sub.add_option("file", analyse.file, "The result; for overlap and lidar-equation a scene, too")
+      ->type_name("RESULT.nc|SCENE")
+      ->required();
+  add_functions(sub, analyse, notes);
+  add_keywords(sub, analyse.options);
+  sub.add_option("-o,--output", analyse.output,
+                 "Write them, too: .nc, .csv, or a picture: .png, .pdf or .svg")
+      ->type_name("FILE");
+  add_json(sub, analyse.json);
+  sub.add_flag("--force", analyse.force, "Replace whatever is where the output goes");
+  notes.examples["analyse"] = {
+      {"photic analyse my.nc k-lidar --channel elastic", "attenuation by depth, and fitted"},
+      {"photic analyse my.nc ratio -o ratio.png", "chlorophyll over raman, as a picture, too"},
+      {"photic analyse my.nc z90 --channel raman", "the depth of 90 % of the light"},
+      {"photic analyse my.toml overlap", "of a scene, before any run"}};
+}
+
 void add_bench(CLI::App& app, BenchCommand& bench, std::vector<scene::Override>& values,
                Notes& notes) {
   CLI::App& sub = *app.add_subcommand("bench", "Measure which estimator suits a scene best");
@@ -253,6 +341,7 @@ void add_new(CLI::App& app, NewCommand& starter, Notes& notes) {
 void add_subcommands(CLI::App& program, Commands& commands, Notes& notes) {
   add_run(program, commands.run, commands.values, notes);
   add_plot(program, commands.plot, notes);
+  add_analyse(program, commands.analyse, notes);
   add_new(program, commands.starter, notes);
   add_check(program, commands.check, notes);
   add_show(program, commands.show, notes);

@@ -16,6 +16,7 @@ namespace photic::app {
 struct Commands {
   RunCommand run;
   PlotCommand plot;
+  AnalyseCommand analyse;
   BenchCommand bench;
   CheckCommand check;
   ShowCommand show;

@@ -1,11 +1,13 @@
-"""python3 -m photic plot out.nc [more.nc …] -o out.png"""
+"""python3 -m photic plot out.nc [more.nc …] -o out.png; python3 -m photic analyse out.nc FUNCTION"""
 
 import argparse
 import os
 import sys
 import warnings
 
+from photic import analyse
 from photic.errors import Error
+from photic.output import ending_of
 from photic.result import is_optics, is_spectra
 from photic.result import open as open_result
 
@@ -33,10 +35,12 @@ def main(arguments=None):
     add("--telescope", **several, help="draw this telescope only; may be repeated [default: all]")
     add("--channel", **several, help="draw this channel only; may be repeated [default: all]")
     add("--width-mm", type=float, metavar="W", help="width of the picture, as for a journal's column")
+    plot.set_defaults(run=draw)
+    analyse.add_to(commands)
     options = parser.parse_args(arguments)
     try:
         with warnings.catch_warnings(record=True) as remarks:
-            draw(options)
+            options.run(options)
     except Error as error:
         print(error, file=sys.stderr)
         return error.exit_code
@@ -79,13 +83,7 @@ def draw(options):
 
 
 def _ending(path):
-    if os.path.isdir(path) or path.endswith("/"):
-        example = os.path.join(path, "echoes.png")
-        raise Error(f"{path}: is a folder: name a picture in it, as in {example}")
-    ending = os.path.splitext(path)[1].lower()
-    if ending not in (".png", ".pdf", ".svg"):
-        raise Error(f"{path}: pictures are .png, .pdf or .svg")
-    return ending[1:]
+    return ending_of(path, (".png", ".pdf", ".svg"), "pictures are .png, .pdf or .svg", "echoes.png", "picture")[1:]
 
 
 def _expect_one(options):

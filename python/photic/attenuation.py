@@ -16,6 +16,7 @@ from photic.rays import unit
 from photic.result import scene_of
 from photic.seawater import light_of
 
+OF_GATES = ["gate_time", "gate_depth"]  # coordinates that an interval between two of them does not have
 LARGEST_ERROR = 0.1  # of an echo: above it the mean of its logarithm is not the logarithm of the mean
 
 
@@ -78,8 +79,7 @@ def k_lidar(
     weight = (1 / logarithms.error**2).where(taken, 0.0)
 
     def between(e):
-        values = logarithm(e)
-        return -(values.diff("gate") / path.diff("gate")).rename(gate="interval").drop_vars("interval", errors="ignore")
+        return -(_steps(logarithm(e)) / _steps(path))
 
     def fitted(e):
         return -_slope(path, logarithm(e), weight)
@@ -87,11 +87,16 @@ def k_lidar(
     by_interval = described(estimate(part, between), "k", long_name=f"lidar attenuation coefficient of {channel}", units="m-1")
     fit = described(estimate(part, fitted), "k_fitted", long_name=f"lidar attenuation coefficient of {channel}, fitted", units="m-1")
     out = by_interval.merge(fit.rename(reliable="k_fitted_reliable"), compat="override")
-    middle = (depth.isel(gate=slice(1, None)) - depth.diff("gate") / 2).drop_vars(["gate_time", "gate_depth"], errors="ignore").rename(gate="interval")
+    middle = _steps(depth) / 2 + depth.isel(gate=slice(None, -1)).rename(gate="interval").drop_vars(OF_GATES, errors="ignore")
     about = {"long_name": "depth between the middles of two gates", "units": "m"}
     return out.assign(k_fitted_gate=taken.assign_attrs(long_name="whether the fit has the gate")).assign_coords(
         depth=middle.assign_attrs(about)
     )
+
+
+def _steps(values):
+    """From gate to gate."""
+    return values.diff("gate").rename(gate="interval").drop_vars([*OF_GATES, "interval"], errors="ignore")
 
 
 def _path(scene, part, depth):

@@ -54,16 +54,23 @@ def linear_fit(x: Any, y: xarray.Dataset, name: str | None = None) -> xarray.Dat
     residual = value - (offset + slope * places)
     mean = numpy.average(value.values, weights=weight)
     squares = [float((weight * numpy.square(each)).sum()) for each in (residual.values, value.values - mean)]
-    units = str(value.attrs.get("units", "1"))
-    out = described(found[0], "slope", long_name=f"slope of {name}").merge(
-        described(found[1], "offset", long_name=f"offset of {name}", units=units)
+    units, of = str(value.attrs.get("units", "1")), str(value.attrs.get("long_name", name))
+    out = described(found[0], "slope", long_name=f"slope of the line through the {of}").merge(
+        described(found[1], "offset", long_name=f"offset of the line through the {of}", units=units)
     )
     return out.drop_vars(["slope_replicates", "offset_replicates"]).assign(
-        residual=residual.assign_attrs(long_name=f"{name} less the line", units=units),
-        r_squared=1 - squares[0] / squares[1] if squares[1] > 0 else numpy.nan,
-        chi_squared=chi_squared(places, value.values, replicates.transpose("batch_group", ...).values),
-        degrees_of_freedom=len(places) - 2,
+        residual=residual.assign_attrs(long_name=f"{of} less the line", units=units),
+        r_squared=_number(1 - squares[0] / squares[1] if squares[1] > 0 else numpy.nan, "weighted squared correlation with the line"),
+        chi_squared=_number(
+            chi_squared(places, value.values, replicates.transpose("batch_group", ...).values),
+            "squares of the residuals in units of their covariances",
+        ),
+        degrees_of_freedom=_number(len(places) - 2, "degrees of freedom of chi squared"),
     )
+
+
+def _number(value, long_name):
+    return xarray.DataArray(value, attrs={"long_name": long_name, "units": "1"})
 
 
 def _name(y, name):

@@ -42,7 +42,7 @@ def figure(results, names, telescopes=(), channels=(), title=None, width_mm=None
     draw = alone if len(results) == 1 else plot_several.draw
     sheet, rows, more = draw(results, names, shown, width_mm)
     rows += plot_tallies.draw(sheet, results[0]) if len(results) == 1 else []
-    captions = [_caption(result, shown) for result in results]
+    captions = [about_run(result, shown) for result in results]
     if len(results) > 1:
         captions = [
             f"{name}: {caption}{_left_out(result)}"
@@ -64,7 +64,7 @@ def _expect_all(name, telescopes, channels):
 def _of_tallies(result, title, width_mm):
     """The figure of a result without echoes."""
     sheet = page(width_mm, plot_tallies.ABREAST * plot_tallies.PANEL)
-    caption = [_caption(result), plot_tallies.balance(result), BARS]
+    caption = [about_run(result), plot_tallies.balance(result), BARS]
     drawn_rows = plot_tallies.draw(sheet, result)
     return build(sheet, drawn_rows, title or result.attrs["title"], "\n".join(filter(None, caption)))
 
@@ -78,7 +78,8 @@ def _bands(results):
     return bands
 
 
-def _caption(result, shown=None):
+def about_run(result, shown=None):
+    """A line on the run, and the telescope if one alone is shown."""
     run = result.attrs
     photons = f"{int(run['photons']):,}".replace(",", "\u2009")
     parts = [f"Photic {run['version']}", f"{photons} photons", f"seed {run['seed']}"]

@@ -37,7 +37,7 @@ def test_version_where_the_data_are_missing(photic, tmp_path):
     assert done.stdout.splitlines()[-1] == wrong
 
 
-COMMANDS = ["run", "plot", "new", "check", "show", "optics", "bench", "schema", "help"]
+COMMANDS = ["run", "plot", "analyse", "new", "check", "show", "optics", "bench", "schema", "help"]
 
 
 def test_help_shows_every_subcommand_and_an_example(photic):
@@ -73,8 +73,8 @@ REFUSED = {
     ("run", "--continue", "nowhere.nc"): "nowhere.nc: there is no such file",
     ("help", "runn"): "there is no subcommand 'runn' (did you mean 'run'?)",
     ("rnu", "quick.toml"): "there is no subcommand 'rnu' (did you mean 'run'?)",
-    ("simulate", "quick.toml"): "there is no subcommand 'simulate' (there are: run, plot, new, check, "
-    "show, optics, bench, schema, help)",
+    ("simulate", "quick.toml"): "there is no subcommand 'simulate' (there are: run, plot, analyse, "
+    "new, check, show, optics, bench, schema, help)",
     ("run",): "scene is required",
     ("run", "quick.toml", "--photon", "5"): "--photon",
     ("run", "quick.toml", "--photons", "many"): "--photons: 'many' is not a whole number from 1 to 2^63 - 1 "
