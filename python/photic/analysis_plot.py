@@ -5,7 +5,6 @@ from functools import partial
 
 import numpy
 from matplotlib.lines import Line2D
-from matplotlib.ticker import NullFormatter
 
 from photic import panels
 from photic.choice import MOST_TELESCOPES, kept

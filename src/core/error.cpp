@@ -9,7 +9,8 @@ namespace {
 std::string joined(const std::vector<Diagnostic>& diagnostics) {
   std::string out;
   for (const auto& d : diagnostics)
-    for (const char c : d.text() + '\n') out += c == '\0' ? std::string("\\u0000") : std::string(1, c);
+    for (const char c : d.text() + '\n')
+      out += c == '\0' ? std::string("\\u0000") : std::string(1, c);
   if (!out.empty()) out.pop_back();
   return out;
 }

@@ -5,9 +5,9 @@
 
 namespace photic::io {
 
-/// Opens and reads a netCDF file in a process that is forked for it: HDF5 1.10 writes beyond its memory in
-/// some damaged files, even where it reports an error. Throws as NetcdfReader does, and InputError
-/// for a file that ends that process. Where no process can be forked, it finds nothing.
+/// Opens and reads a netCDF file in a process that is forked for it: HDF5 1.10 writes beyond its
+/// memory in some damaged files, even where it reports an error. Throws as NetcdfReader does, and
+/// InputError for a file that ends that process. Where no process can be forked, it finds nothing.
 void expect_netcdf(const std::string& path);
 
 }  // namespace photic::io

@@ -1,5 +1,5 @@
-// Texts whose tables lie so deep in each other that a parser, or whatever goes through a tree, would
-// run out of stack.
+// Texts whose tables lie so deep in each other that a parser, or whatever goes through a tree,
+// would run out of stack.
 #pragma once
 
 #include <cstddef>

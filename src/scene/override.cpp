@@ -172,8 +172,8 @@ struct InBoth {
       const Node& here = (*all)[first];
       const std::size_t count = counts ? (*counts)[i] : 1;
       const Node* by_default = list[i].find("name") ? nullptr : here.find("name");
-      const bool is_called = by_default && by_default->as<std::string>() &&
-                             *by_default->as<std::string>() == name;
+      const bool is_called =
+          by_default && by_default->as<std::string>() && *by_default->as<std::string>() == name;
       if (asked ? *asked == i : is_called)
         return InBoth{&list[i], &here, std::to_string(i), count > 1};
       first += count;

@@ -24,8 +24,8 @@ void take_away(const std::string& path, const Place& place, Node& document, Find
 /// The value to which such a path leads; null if there is none.
 const Node* find(const std::string& path, const Node& document);
 
-/// For each list that stands for a longer one in the scene ("sea.layer", whose profiles are cut, and
-/// "channel"): the number of elements that each of its own has become.
+/// For each list that stands for a longer one in the scene ("sea.layer", whose profiles are cut,
+/// and "channel"): the number of elements that each of its own has become.
 using Multiples = std::map<std::string, std::vector<std::size_t>>;
 
 /// The value that a scene has by default where such a path leads in the document that it was read

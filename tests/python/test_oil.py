@@ -15,7 +15,6 @@ from oil_results import (
     THICKNESS_UM,
     agrees,
     drawn_gates,
-    film,
     refused,
     run_over_the_sea,
     same,
