@@ -6,7 +6,7 @@
 
 namespace photic::app {
 
-/// What a Python is needed for, as in "no Python that can draw plots", and the modules that takes.
+/// The work that a Python is needed for, as in "no Python that can draw plots", and its modules.
 struct PythonUse {
   std::string purpose;
   std::vector<std::string> modules;

@@ -1,4 +1,4 @@
-"""What the experiments of the paper's figures share: scenes after Table 1, checks, pictures."""
+"""Common parts of the experiments on the paper's figures: scenes after Table 1, checks, pictures."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Check:
         return abs(self.found - self.expected) <= self.tolerance + DEVIATIONS * self.error
 
     def cells(self) -> tuple[str, ...]:
-        """What, found, expected, allowed, and whether it passed."""
+        """The cells of a row: what, found, expected, allowed, and whether it passed."""
         within = " and ".join(
             [f"{self.tolerance:.2g}"] * (self.tolerance > 0) + [f"{DEVIATIONS} errors of {self.error:.2g}"] * (self.error > 0)
         )
@@ -38,7 +38,7 @@ class Check:
 
 @dataclasses.dataclass
 class Figure:
-    """What an experiment finds."""
+    """The findings of an experiment."""
 
     title: str
     paper: list[str]  # its sentences, in our words or quoted
@@ -53,7 +53,7 @@ class Figure:
 
 @dataclasses.dataclass
 class Effort:
-    """How many photons: all of them, or a share for a short form."""
+    """The number of photons: all of them, or a share for a short form."""
 
     share: float = 1.0
     threads: int = 0

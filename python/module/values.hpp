@@ -65,7 +65,7 @@ class ValueReader {
     return out;
   }
 
-  /// What a call of Python's returns; what it raises is a reason to refuse the value.
+  /// The return value of a call of Python's; what it raises is a reason to refuse the value.
   template <class Call>
   static auto made(const std::string& path, const char* what, Call call) {
     try {
@@ -92,7 +92,8 @@ class ValueReader {
     return date;
   }
 
-  /// What tolist() makes of an array or of a number of numpy. Some, as long doubles, it leaves.
+  /// The value that tolist() makes of an array or of a number of numpy. Some, as long doubles, it
+  /// leaves.
   scene::Node listed(const py::handle& value, const std::string& path) {
     const auto list = made(path, "cannot be made a list", [&] { return value.attr("tolist")(); });
     if (list.get_type().is(value.get_type())) return other(value, path);

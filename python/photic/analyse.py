@@ -97,7 +97,7 @@ def _expect_output(options):
 
 
 def _is_ours(path, ending):
-    """Whether a file is an earlier output of this command, or an empty one."""
+    """Returns whether a file is an earlier output of this command, or an empty one."""
     try:
         if os.path.getsize(path) == 0:
             return True

@@ -51,7 +51,7 @@ class Block:
 
 @dataclass(frozen=True)
 class Analysis:
-    """What a function finds."""
+    """The findings of a function."""
 
     dataset: xarray.Dataset
     blocks: list
@@ -352,7 +352,7 @@ def _column(one, name, label, *, exact=False, **of):
 
 
 def _places(one):
-    """What rows are by, and the centres of gates: times where the telescope has no depths."""
+    """The quantity that rows are by, and the centres of gates: times where the telescope has no depths."""
     depth = one.gate_depth
     if bool(depth.isnull().any()):
         return "time [ns]", one.gate_time.values

@@ -102,7 +102,7 @@ def _turned(values, places, upright):
 
 
 def _ends(values, half_width, logarithmic):
-    """How far bars reach to both sides; none where the error is not known."""
+    """The reach of bars to both sides; none where the error is not known."""
     half_width = numpy.where(numpy.isfinite(half_width), half_width, 0.0)
     lower = values - panels.band_ends(values, half_width)[0] if logarithmic else half_width
     return numpy.nan_to_num(numpy.array([lower, half_width]))

@@ -52,7 +52,7 @@ def _columns(block, width):
         labels = [letters(k) for k in range(len(labels))]
     cells = [[label, *_cells(column)] for label, column in zip(labels, block.columns)]
     places = [block.place, *(f"{_positive(each):.2f}" if not block.environments else f"{each:g}" for each in block.places)]
-    # What rows are by stands at the left of each part.
+    # The quantity that rows are by stands at the left of each part.
     place = _justified(places, PLACE)
     columns = [_justified(each, 0) for each in cells]
     for part in _abreast(columns, width - len(place[0])):

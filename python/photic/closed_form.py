@@ -1,4 +1,4 @@
-"""What the closed forms can do, and what is refused."""
+"""Limits of the closed forms, and the refusals."""
 
 from __future__ import annotations
 

@@ -49,7 +49,7 @@ def error_of(result: xarray.Dataset, function: Callable[[xarray.Dataset], Any]) 
 
 
 class Estimate:
-    """What the jackknife finds of a function's value; DataArrays."""
+    """The jackknife's findings on a function's value; DataArrays."""
 
     def __init__(self, value, replicates, reliable):
         self.value = value
@@ -97,7 +97,7 @@ def with_error(value, error, settled, name: str, **attributes: str) -> xarray.Da
 
 
 def _words(name, attributes):
-    """What texts call a value, and the attribute of its unit."""
+    """The name of a value in texts, and the attribute of its unit."""
     return attributes.get("long_name", name), {key: value for key, value in attributes.items() if key == "units"}
 
 
@@ -175,7 +175,7 @@ def _deviations(result, name):
 
 
 def _settled(result, echoes, function, value):
-    """Whether a value is made of converged gates alone: whether it stays the same when the others change."""
+    """Returns whether a value is made of converged gates alone: it stays the same when the others change."""
     random = numpy.random.default_rng(SEED)
     changed = {}
     for name in echoes.data_vars:

@@ -88,7 +88,7 @@ def _depth_of(share, light, edges):
 
 
 def _ends_within(part, environment, edges):
-    """Whether so little light is to be expected behind the last gate."""
+    """Returns whether so little light is to be expected behind the last gate."""
     echo = part.echo if environment is None else part.environment_echo.sel(environment=environment)
     out = []
     for light, edge in zip(echo.transpose("telescope", "channel", "gate").values[:, 0], edges):

@@ -123,7 +123,7 @@ class Beam:
 
 
 def _cone(source: dict[str, Any], rings: int, azimuths: int) -> tuple[Any, Any]:
-    """Where the rays leave the disc, and their directions."""
+    """The places where the rays leave the disc, and their directions."""
     axis, u, v = _frame(source["direction"])
     ring, ray = numpy.divmod(numpy.arange(rings * azimuths), azimuths)
     azimuth = (2 * numpy.pi / azimuths * (ray + ring * GOLDEN_SHARE))[:, None]
@@ -144,7 +144,7 @@ def _cone(source: dict[str, Any], rings: int, azimuths: int) -> tuple[Any, Any]:
 
 
 def _of_gaussian(share: Any, divergence: float) -> Any:
-    """Where a share of a Gaussian's light is nearer to the axis, in units of where it is 1/e2 of its peak: it
+    """The radius within which a share of a Gaussian's light is, in units of where it is 1/e2 of its peak: it
     falls as exp(-2 x), and is cut off (docs/theory.md, eq. 108)."""
     cut = GAUSSIAN_CUT**2
     if divergence > 0:

@@ -18,7 +18,7 @@ BOTTOMLESS_M = 1e6
 
 
 class Turned(NamedTuple):
-    """What turns light, in each layer, and the light that is turned."""
+    """The processes that turn light, in each layer, and the light that is turned."""
 
     light: Light
     coefficient_per_m: Any  # [layer]

@@ -140,7 +140,7 @@ std::string read_all(int pipe) {
   }
 }
 
-/// What a process of its own reports; nothing if it crashed. None can be forked: as a good file.
+/// The report of a process of its own; empty if it crashed. None can be forked: as a good file.
 std::string outcome_elsewhere(const std::string& path) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::string(1, good);

@@ -27,7 +27,7 @@ struct Layered {
 std::vector<Cuts> expand_layers(Node& document, const OtherFiles& files,
                                 const std::vector<Cuts>* scene_cuts, Findings& findings);
 
-/// How many layers each layer of a document has become, by the cuts that were made of it.
+/// The number of layers that each layer of a document has become, by the cuts that were made of it.
 Multiples multiples_of(Node& document, const std::vector<Cuts>& cuts);
 
 }  // namespace photic::scene

@@ -1,4 +1,4 @@
-"""How runs of the Python module end: interrupts, locks of outputs, processes that were forked; and files that are damaged."""
+"""Ends of runs of the Python module: interrupts, locks of outputs, processes that were forked; and files that are damaged."""
 
 import random
 import subprocess

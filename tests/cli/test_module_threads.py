@@ -31,7 +31,7 @@ class Mallinfo(ctypes.Structure):
 
 
 def bytes_in_use():
-    """What malloc has given out and not got back; resident memory would depend on where threads found theirs."""
+    """The bytes that malloc has given out and not got back; resident memory depends on where threads found theirs."""
     mallinfo2 = ctypes.CDLL(None).mallinfo2
     mallinfo2.restype = Mallinfo
     gc.collect()

@@ -101,7 +101,7 @@ def drawn_gates(count, errors, correlation):
 
 
 def agrees(found):
-    """Whether the thicknesses scatter as their errors say. Those of 20 000 gates give the scatter to
+    """Returns whether the thicknesses scatter as their errors state. Those of 20 000 gates give the scatter to
     0.5 %, and terms of the second order are below 0.1 %: 2.6 % is passed by chance in 1 of 1e6 cases."""
     predicted = float(numpy.sqrt((found.thickness_standard_error**2).mean()))
     return float(found.thickness.std()) == pytest.approx(predicted, rel=0.026)
