@@ -33,7 +33,9 @@ def open(path: str | os.PathLike[str]) -> xarray.Dataset:
     environment_value, and for each path a coordinate of that name along environment, so that
     swap_dims(environment="sea.layer.0.chlorophyll_mg_m3") puts values in place of names. If it has sensitivities: the dimension parameter (indexed by path), with
     parameter_value, sensitivity and logarithmic_sensitivity, with _standard_error, and
-    sensitivity_converged. Over a film of oil: film_attenuation [1/m] and film_interface_ratio, which
+    sensitivity_converged. By groups of batches, for photic.error_of: the dimension batch_group,
+    echo_by_group, group_photons and environment_echo_by_group, unless the scene leaves them out. Over a
+    film of oil: film_attenuation [1/m] and film_interface_ratio, which
     oil_thickness uses. Attributes: the run, and the scene as text.
 
     If the scene has tallies, there are their quantities, each with _standard_error, _converged and
