@@ -172,8 +172,8 @@ def _expect_netcdf(path):
         return
     try:
         core().expect_netcdf(os.fsencode(path))
-    except SceneError as error:
-        raise Error(str(error)) from None
+    except SceneError:
+        raise _damaged(path) from None
 
 
 def _load(path):
@@ -190,4 +190,8 @@ def _load(path):
     except PermissionError as error:
         raise Error(f"{path}: {error.strerror}", exit_code=1) from error
     except Exception as error:  # of a damaged file it may be any
-        raise Error(f"{path}: not a netCDF file, or a damaged one (results end in .nc)") from error
+        raise _damaged(path) from error
+
+
+def _damaged(path):
+    return Error(f"{path}: not a netCDF file, or a damaged one (results end in .nc)")

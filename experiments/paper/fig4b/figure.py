@@ -31,7 +31,7 @@ def bare(scene):
 def at_best_gate(found):
     """Thickness and error [um] in the gate that knows it best."""
     best = found.isel(telescope=0).where(found.isel(telescope=0).reliable, drop=True)
-    gate = int(best.thickness_standard_error.argmin())
+    gate = int(best.thickness_standard_error.argmin("gate"))
     return float(best.thickness[gate]), float(best.thickness_standard_error[gate])
 
 
