@@ -153,7 +153,10 @@ void add_plot(CLI::App& app, PlotCommand& plot, Notes& notes) {
 void add_passed_on(CLI::App& sub, std::vector<std::string>& words, const std::string& flag,
                    const std::string& type, const std::string& description) {
   sub.add_option_function<std::string>(
-         flag, [&words, flag](const std::string& text) { words.push_back(flag + '=' + text); },
+         flag,
+         [&words, flag](const std::string& text) {
+           words.push_back(fmt::format("{}={}", flag, text));
+         },
          description)
       ->type_name(type);
 }
@@ -164,7 +167,7 @@ void add_passed_on_again(CLI::App& sub, std::vector<std::string>& words, const s
   sub.add_option_function<std::vector<std::string>>(
          flag,
          [&words, flag](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts) words.push_back(flag + '=' + text);
+           for (const std::string& text : texts) words.push_back(fmt::format("{}={}", flag, text));
          },
          description)
       ->type_name("NAME")
