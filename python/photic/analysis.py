@@ -78,7 +78,7 @@ def analysed(path, name, options):
     """
     function = function_named(name)
     for flag, given in options.items():
-        if given and flag not in function.options:
+        if given is not None and given != [] and flag not in function.options:
             has = ", ".join(f"--{each}" for each in function.options)
             raise Error(f"--{flag} does not belong to {name}, whose options are {has}")
     options = _read(options)

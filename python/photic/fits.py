@@ -12,6 +12,7 @@ from photic.jackknife import Estimate, described
 from photic.names import suggestion
 
 FEWEST = 3
+ROUNDING = 1e-12  # of values: a scatter below it is none
 
 
 def linear_fit(x: Any, y: xarray.Dataset, name: str | None = None) -> xarray.Dataset:
@@ -55,9 +56,9 @@ def linear_fit(x: Any, y: xarray.Dataset, name: str | None = None) -> xarray.Dat
     mean = numpy.average(value.values, weights=weight)
     squares = [float((weight * numpy.square(each)).sum()) for each in (residual.values, value.values - mean)]
     units, of = str(value.attrs.get("units", "1")), str(value.attrs.get("long_name", name))
-    out = described(found[0], "slope", long_name=f"slope of the line through the {of}").merge(
-        described(found[1], "offset", long_name=f"offset of the line through the {of}", units=units)
-    )
+    of_slope = described(found[0], "slope", long_name=f"slope of the line through the {of}")
+    of_offset = described(found[1], "offset", long_name=f"offset of the line through the {of}", units=units)
+    out = of_slope.assign(of_offset.drop_vars("reliable").data_vars).assign(reliable=of_slope.reliable & of_offset.reliable)
     return out.drop_vars(["slope_replicates", "offset_replicates"]).assign(
         residual=residual.assign_attrs(long_name=f"{of} less the line", units=units),
         r_squared=_number(1 - squares[0] / squares[1] if squares[1] > 0 else numpy.nan, "weighted squared correlation with the line"),
@@ -92,7 +93,10 @@ def _reliable(y, name):
 def _places(x, value):
     if value.ndim != 1:
         raise Error(f"linear_fit: values on {' and '.join(map(str, value.dims)) or 'no axis'}: leave one axis, by sel(telescope=…)")
-    places = numpy.asarray(x, dtype=float)
+    try:
+        places = numpy.asarray(x, dtype=float)
+    except (TypeError, ValueError):
+        raise Error("linear_fit: places that are no numbers") from None
     if places.shape != value.shape:
         raise Error(f"linear_fit: {places.size} places for {value.size} values: give one for each")
     if len(places) < FEWEST:
@@ -103,9 +107,11 @@ def _places(x, value):
 
 
 def _line(x, y, weight):
-    x0, y0 = numpy.average(x, weights=weight), numpy.average(y, weights=weight)
-    slope = (weight * (x - x0) * (y - y0)).sum() / (weight * (x - x0) ** 2).sum()
-    return slope, y0 - slope * x0
+    first, span = x[0], numpy.ptp(x)
+    scaled = (x - first) / span
+    x0, y0 = numpy.average(scaled, weights=weight), numpy.average(y, weights=weight)
+    slope = (weight * (scaled - x0) * (y - y0)).sum() / (weight * (scaled - x0) ** 2).sum()
+    return slope / span, y0 - slope * (x0 + first / span)
 
 
 def chi_squared(x, y, replicates):
@@ -113,9 +119,11 @@ def chi_squared(x, y, replicates):
     groups, free = len(replicates), len(x) - 2
     if 2 * free >= groups:
         return numpy.nan
-    lines = numpy.column_stack([numpy.ones_like(x), x])
+    lines = numpy.column_stack([numpy.ones_like(x), (x - x[0]) / numpy.ptp(x)])
     across = numpy.linalg.qr(lines, mode="complete")[0][:, 2:]
     deviation = (replicates - replicates.mean(axis=0)) @ across
     covariance = (groups - 1) / groups * deviation.T @ deviation
     left = y @ across
+    if numpy.linalg.eigvalsh(covariance)[0] < (ROUNDING * numpy.abs(y).max()) ** 2:
+        return numpy.nan  # values that scatter together leave no scatter about a line
     return float(left @ numpy.linalg.solve(covariance, left)) * (groups - free - 2) / (groups - 1)

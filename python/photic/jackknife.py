@@ -104,8 +104,9 @@ def _words(name, attributes):
 def estimate(result: xarray.Dataset, function: Callable[[xarray.Dataset], Any]) -> Estimate:
     """As error_of, with the value without each group of batches."""
     echoes = _echoes(result)
+    deviations = _scaled_deviations(result, echoes)
     value = _call(function, echoes, result)
-    left_out = [_like(value, _call(function, each, result)) for each in _replicates(result, echoes)]
+    left_out = [_like(value, _call(function, each, result)) for each in _replicates(echoes, deviations)]
     replicates = xarray.concat(left_out, dim="batch_group")
     enough = replicates.sizes["batch_group"] >= LEAST_GROUPS
     return Estimate(value, replicates, _settled(result, echoes, function, value) & enough)
@@ -132,7 +133,7 @@ def _echoes(result):
 
 def _call(function, echoes, result):
     try:
-        value = function(echoes)
+        value = function(echoes.copy(deep=True))  # which it may change
     except (KeyError, AttributeError) as error:
         missing = next((name for name in result.data_vars if name in str(error) and name not in echoes), None)
         if missing is None:
@@ -150,28 +151,44 @@ def _like(value, other):
     return other
 
 
-def _replicates(result, echoes) -> Iterator[xarray.Dataset]:
+def _replicates(echoes, deviations) -> Iterator[xarray.Dataset]:
     """The echoes without each of the groups of batches (eq. 113)."""
-    deviations = {name: _deviations(result, name) for name in echoes.data_vars}
-    for group in range(result.sizes["batch_group"]):
-        yield echoes.assign({name: echoes[name] + deviations[name].isel(batch_group=group, drop=True) for name in deviations})
+    for group in range(next(iter(deviations.values())).sizes["batch_group"]):
+        yield echoes.assign({name: echoes[name] + each.isel(batch_group=group, drop=True) for name, each in deviations.items()})
+
+
+def _scaled_deviations(result, echoes):
+    """By how much each echo is another one without each group. The light that an environment has in common with the scene is
+    scaled as the scene's, so that it cancels where they are compared."""
+    of_scene = _deviations(result, "echo")
+    out = {"echo": _scaled(of_scene, result.echo_standard_error)}
+    if "environment_echo" in echoes:
+        deviation, error = _deviations(result, "environment_echo"), result.environment_echo_standard_error
+        out["environment_echo"] = _scaled(deviation, error)
+        if "environment_difference_standard_error" in result:
+            of_difference = result.environment_difference_standard_error
+            common = out["echo"] + _scaled(deviation - of_scene, of_difference)
+            out["environment_echo"] = xarray.where(of_difference < error, common, out["environment_echo"])
+    return {name: out[name].transpose(*echoes[name].dims, "batch_group") for name in echoes.data_vars}
 
 
 def _deviations(result, name):
-    """By how much an echo is another one without each group."""
+    """Unscaled."""
     means, photons = result[GROUPED[name][0]], result.group_photons
     sums = means.astype(float).where(photons > 0, 0) * photons
     total, emitted = sums.sum("batch_group"), photons.sum("batch_group")
     left = emitted - photons
     deviation = ((total - sums) / left - total / emitted).where(left > 0, numpy.nan)
+    return deviation.drop_vars("batch_group", errors="ignore")
+
+
+def _scaled(deviation, reported):
+    """To the error that is reported; nothing varies where nothing does and no error is known."""
+    groups = deviation.sizes["batch_group"]
     centred = deviation - deviation.mean("batch_group")
-    groups = result.sizes["batch_group"]
     by_groups = numpy.sqrt((groups - 1) / groups * (centred**2).sum("batch_group", skipna=False))
-    reported = result[f"{name}_standard_error"]
     scale = (reported / by_groups).where(by_groups > 0, xarray.where(reported > 0, numpy.nan, 0.0))
-    scaled = deviation * scale
-    # Nothing was ever seen there, and nothing varies.
-    return scaled.where((result[name] != 0) | (by_groups > 0), 0.0).drop_vars("batch_group", errors="ignore")
+    return (deviation * scale).where(~(by_groups == 0) | (reported > 0), 0.0)
 
 
 def _settled(result, echoes, function, value):

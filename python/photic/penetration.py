@@ -10,7 +10,7 @@ from photic.jackknife import described, estimate
 from photic.names import chosen
 from photic.ratios import expect_environment, of_telescope
 
-BEYOND = 0.01  # of the light: more behind the last gate, and the depth is a property of the gates
+BEYOND = 0.1  # of the light that is left out: more behind the last gate, and the depth is a property of the gates
 
 
 def z90(
@@ -34,8 +34,8 @@ def z90(
 
     On (telescope):
     z90, z90_standard_error, z90_bias  [m] the depth, by groups of batches (photic.error_of)
-    reliable        [bool] whether all gates in the water have converged, and no more than 1 % of the light is to be
-                    expected behind the last gate: that of an exponential which falls as the light does from the last
+    reliable        [bool] whether all gates in the water have converged, and no more than a tenth of the light that the
+                    share leaves out (1 % of all, of 90 %) is to be expected behind the last gate: that of an exponential which falls as the light does from the last
                     quarter of the gates' first half to its second
 
     Raises photic.Error for names that there are not, a share out of range, gates of which none is in the water,
@@ -49,6 +49,7 @@ def z90(
     if not 0 < share < 1:
         raise Error(f"share = {share:g}: a share of the light is above 0 and below 1")
     part = result.sel(channel=[channel])
+    part = part.isel(gate=numpy.argsort(part.gate_depth.isel(telescope=0, channel=0).values))
     edges = _edges(part)
 
     def depth(e):
@@ -59,7 +60,7 @@ def z90(
         )
 
     found = estimate(part, depth)
-    found.reliable = found.reliable & _ends_within(part, environment, edges)
+    found.reliable = found.reliable & _ends_within(part, environment, edges, BEYOND * (1 - share))
     name = f"depth above which {100 * share:g} % of the light of {channel} comes"
     return described(found, "z90", long_name=name, units="m")
 
@@ -87,7 +88,7 @@ def _depth_of(share, light, edges):
     return edges[gate, 0] + within * (edges[gate, 1] - edges[gate, 0])
 
 
-def _ends_within(part, environment, edges):
+def _ends_within(part, environment, edges, tolerated):
     """Returns whether so little light is to be expected behind the last gate."""
     echo = part.echo if environment is None else part.environment_echo.sel(environment=environment)
     out = []
@@ -97,5 +98,5 @@ def _ends_within(part, environment, edges):
         late, later = light[-2 * half : -half].sum(), light[-half:].sum()
         falls = later / late if late > 0 else numpy.inf if later > 0 else 0.0
         behind = later * falls / (1 - falls) if falls < 1 else numpy.inf
-        out.append(behind <= BEYOND * light.sum())
+        out.append(behind <= tolerated * light.sum())
     return xarray.DataArray(out, dims="telescope", coords={"telescope": part.telescope})

@@ -44,7 +44,7 @@ def ratio(
     for channel in (of, over):
         chosen([result], ["result"], "channel", [channel])
     names = [environment] if isinstance(environment, str) else list(environment or [])
-    for name in [*names, *([reference] if reference else [])]:
+    for name in [*names, *([reference] if reference is not None else [])]:
         expect_environment(result, name)
 
     def at_gates(e):

@@ -51,6 +51,15 @@ def test_z90_of_light_that_falls_off(first_m):
     assert found.reliable.all()
 
 
+# Seen red: without the order of depths; with 1 % behind the last gate for any share.
+def test_z90_of_gates_in_another_order_and_of_most_light():
+    k, edges = 0.2, STEP_M * numpy.arange(16)
+    result = light_of(numpy.exp(-k * edges[:-1]) - numpy.exp(-k * edges[1:]), scatter=1e-9)
+    forth, back = (photic.z90(each, "raman") for each in (result, result.isel(gate=slice(None, None, -1))))
+    assert float(forth.z90[0]) == pytest.approx(float(back.z90[0])) and forth.reliable.all() and back.reliable.all()
+    assert not photic.z90(result, "raman", 0.99).reliable.any()  # 0.25 % of the light is behind the last gate
+
+
 # Of two gates with light a and b the depth is 2 m + 2 m (0.9 (a + b) - a) / b, whose derivatives are -0.2 m / b and 0.2 m a / b^2.
 def test_z90_has_the_error_of_the_first_order():
     result = light_of([1.0, 2.0], scatter=0.05)
@@ -122,6 +131,8 @@ def test_ratio_in_waters_and_over_one():
     assert (over.ratio_standard_error < 0.05 * one.ratio_standard_error).all()
     with pytest.raises(photic.Error, match="there is no environment 'water 7'"):
         photic.ratio(result, environment="water 7")
+    with pytest.raises(photic.Error, match="there is no environment ''"):
+        photic.ratio(result, reference="")
 
 
 PLACES = numpy.array([0.0, 1.0, 2.0, 4.0, 6.0])
@@ -176,6 +187,21 @@ def test_chi_squared_is_one():
     assert 0.05 - 0.0087 < (found > 7.815).mean() < 0.07
 
 
+# Seen red: with squares of the places themselves.
+@pytest.mark.parametrize("factor", [1e-100, 1e100])
+def test_places_of_any_size(factor):
+    found, usual = photic.linear_fit(PLACES * factor, on_a_line(1)), photic.linear_fit(PLACES, on_a_line(1))
+    for name in ("slope", "slope_standard_error"):
+        assert float(found[name]) * factor == pytest.approx(float(usual[name]), rel=1e-9)
+
+
+def test_values_that_scatter_together_have_no_chi_squared():
+    y = on_a_line(1)
+    offset = y.ratio_replicates.isel(environment=0) - y.ratio_replicates.isel(environment=0).mean()
+    together = y.assign(ratio_replicates=(y.ratio + offset).transpose("batch_group", "environment"))
+    assert numpy.isnan(photic.linear_fit(PLACES, together).chi_squared)
+
+
 def test_a_curve_is_no_line():
     found = photic.linear_fit(PLACES, on_a_line(1, bend=0.05))
     assert float(found.r_squared) > 0.97 and float(found.chi_squared) > 50
@@ -187,6 +213,7 @@ def test_a_curve_is_no_line():
         (PLACES[:2], on_a_line(1).isel(environment=[0, 1]), None, "linear_fit: 2 values: a line with errors takes 3 at least"),
         (PLACES[:4], on_a_line(1), None, "linear_fit: 4 places for 5 values"),
         (PLACES * 0, on_a_line(1), None, "linear_fit: places that are not finite, or all alike"),
+        (list("abcde"), on_a_line(1), None, "linear_fit: places that are no numbers"),
         (PLACES, on_a_line(1), "ratios", "linear_fit: there is no value 'ratios' (did you mean 'ratio'?)"),
         (PLACES, on_a_line(1).expand_dims(telescope=2), None, "linear_fit: values on telescope and environment: leave one axis"),
         (PLACES, on_a_line(1).ratio, None, "linear_fit: y is no Dataset"),

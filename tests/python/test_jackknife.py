@@ -124,3 +124,52 @@ def test_a_function_has_one_form():
     forms = iter([1.0, [1.0, 2.0]])
     with pytest.raises(photic.Error, match="a function whose value had the form"):
         photic.error_of(result_of(correlated()), lambda e: next(forms))
+
+
+def with_environment(result, factor, unseen=1.0):
+    """With an environment of so many times the light, whose reported errors have a share that is not seen."""
+    where = ("environment", "telescope", "channel", "gate")
+    groups = result.echo_by_group.values[None] * factor
+    return result.assign(
+        environment_echo=(where, result.echo.values[None] * factor),
+        environment_echo_standard_error=(where, unseen * factor * result.echo_standard_error.values[None]),
+        environment_difference_standard_error=(where, abs(factor - 1) * result.echo_standard_error.values[None]),
+        environment_converged=(where, result.converged.values[None]),
+        environment_echo_by_group=((*where[:3], "batch_group", "gate"), groups),
+    ).assign_coords(environment=["other"])
+
+
+# Seen red: with environments scaled by their own errors alone.
+@pytest.mark.parametrize("factor", [1.0, 1.02, 0.9])
+def test_what_waters_have_in_common_cancels(factor):
+    result = with_environment(result_of(correlated()), factor, unseen=1.2)
+    difference = photic.error_of(result, lambda e: e.environment_echo - e.echo)
+    numpy.testing.assert_allclose(difference.value_standard_error, result.environment_difference_standard_error, rtol=1e-6, atol=1e-12)
+
+
+# Of water with hardly any light the scene's error is no measure. Seen red: with environments scaled as the scene everywhere.
+def test_another_water_has_its_own_error():
+    result = with_environment(result_of(correlated()), 0.01, unseen=1.2)
+    found = photic.error_of(result, lambda e: e.environment_echo)
+    numpy.testing.assert_allclose(found.value_standard_error, result.environment_echo_standard_error, rtol=1e-9)
+
+
+def squared_in_place(e):
+    e.echo.values[...] = e.echo.values**2
+    return e.echo.sum()
+
+
+def squared_anew(e):
+    e["echo"] = e.echo**2
+    e["half"] = e.echo / 2
+    return 2 * e["half"].sum()
+
+
+# Seen red: with the result's own arrays given to the function.
+@pytest.mark.parametrize("function", [squared_in_place, squared_anew])
+def test_a_function_may_change_what_it_is_given(function):
+    result = result_of(correlated())
+    before = result.copy(deep=True)
+    found, expected = photic.error_of(result, function), photic.error_of(result, lambda e: (e.echo**2).sum())
+    assert float(found.value_standard_error) == pytest.approx(float(expected.value_standard_error), rel=1e-9)
+    assert result.identical(before)
