@@ -138,7 +138,7 @@ std::vector<std::string> keys_of(const std::string& path) {
 
 /// `Value`: a Node, or a const one.
 template <class Value>
-Value* child(Value& node, const std::string& key) {
+Value* child_of(Value& node, const std::string& key) {
   auto* array = node.template as<Node::Array>();
   if (!array) return node.find(key);
   const auto index = place_in(*array, key);
@@ -156,7 +156,7 @@ struct InBoth {
   [[nodiscard]] std::optional<InBoth> below(const std::string& next,
                                             const std::vector<std::size_t>* counts) const {
     if (given && given->as<Node::Array>()) return element(next, counts);
-    const Node* in_whole = child(*whole, next);
+    const Node* in_whole = child_of(*whole, next);
     if (!in_whole) return std::nullopt;
     return InBoth{given ? given->find(next) : nullptr, in_whole, next};
   }
@@ -201,7 +201,7 @@ void erase_child(Node& node, const std::string& key) {
 const Node* find(const std::string& path, const Node& document) {
   const Node* node = &document;
   for (const std::string& key : keys_of(path)) {
-    node = child(*node, key);
+    node = child_of(*node, key);
     if (!node) return nullptr;
   }
   return node;
@@ -229,7 +229,7 @@ void take_away(const std::string& path, const Place& place, Node& document, Find
   Node* node = &document;
   const std::vector<std::string> keys = keys_of(path);
   for (const std::string& key : keys) {
-    Node* next = child(*node, key);
+    Node* next = child_of(*node, key);
     if (!next) return findings.add_at(place, fmt::format("there is no '{}' to take away", key), "");
     if (&key == &keys.back()) return erase_child(*node, key);
     node = next;
