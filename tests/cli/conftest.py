@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+pytest.register_assert_rewrite("analysed_results")
 SOURCE = Path(__file__).resolve().parents[2]
 
 QUICK_SCENE = """\
