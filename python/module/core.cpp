@@ -197,8 +197,10 @@ void add_texts(py::module_& m) {
       py::arg("path"), py::arg("text"));
   m.def(
       "expect_netcdf",
-      [](const std::string& path) { without_gil([&] { io::expect_netcdf(path); }); },
-      py::arg("path"));
+      [](const std::string& path, bool groups) {
+        without_gil([&] { io::expect_netcdf(path, groups); });
+      },
+      py::arg("path"), py::arg("groups"));
   m.def("renew_netcdf_lock", &io::NetcdfLock::renew);
   py::class_<NetcdfLock>(m, "NetcdfLock").def(py::init()).def("release", &NetcdfLock::release);
   m.def("optics_of", &optics_of, py::arg("context"), py::arg("document"), py::arg("wavelength_nm"),

@@ -171,7 +171,7 @@ def _expect_netcdf(path):
     if not is_there():
         return
     try:
-        core().expect_netcdf(os.fsencode(path))
+        core().expect_netcdf(os.fsencode(path), False)
     except SceneError:
         raise _damaged(path) from None
 

@@ -118,7 +118,7 @@ def start(
 def _earlier(path: File) -> bytes:
     """The name of a result that the library opens. Raises photic.Error."""
     name = file_name("continue_from", path)
-    core().expect_netcdf(name)
+    core().expect_netcdf(name, True)
     return name
 
 

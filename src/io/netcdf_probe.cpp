@@ -24,10 +24,10 @@ namespace {
 /// The first letter of what the process reports; the words of a failure follow.
 constexpr char good = 'g', bad_input = 'i', bad_environment = 'e';
 
-/// Reads all of a file, as those who open it will, and refuses it where that fails.
-class Everything {
+/// Reads a file as those who open it will, and refuses it where that fails.
+class Reading {
  public:
-  explicit Everything(const std::string& path) : path_(path), reader_(path) {
+  Reading(const std::string& path, bool groups) : path_(path), groups_(groups), reader_(path) {
     read_group(reader_.id());
   }
 
@@ -43,6 +43,7 @@ class Everything {
     check(nc_inq(group, nullptr, &variables, &attributes, nullptr));
     read_attributes(group, NC_GLOBAL, attributes);
     for (int i = 0; i < variables; ++i) read_variable(group, i);
+    if (!groups_) return;
     check(nc_inq_grps(group, &groups, nullptr));
     std::vector<int> inner(static_cast<std::size_t>(groups));
     check(nc_inq_grps(group, nullptr, inner.data()));
@@ -98,12 +99,13 @@ class Everything {
   }
 
   const std::string& path_;
+  const bool groups_;
   NetcdfReader reader_;
 };
 
-std::string outcome_of(const std::string& path) {
+std::string outcome_of(const std::string& path, bool groups) {
   try {
-    { const Everything all(path); }  // closed, which may crash, too
+    { const Reading all(path, groups); }  // closed, which may crash, too
     return std::string(1, good);
   } catch (const InputError& error) {
     return bad_input + error.diagnostics().front().reason;
@@ -122,10 +124,10 @@ void crash_silently() {
   if (nowhere >= 0) static_cast<void>(::dup2(nowhere, STDERR_FILENO));
 }
 
-[[noreturn]] void report_outcome(const std::string& path, int pipe) {
+[[noreturn]] void report_outcome(const std::string& path, bool groups, int pipe) {
   crash_silently();
   NetcdfLock::renew();
-  const std::string outcome = outcome_of(path);
+  const std::string outcome = outcome_of(path, groups);
   static_cast<void>(::write(pipe, outcome.data(), outcome.size()) >= 0);
   ::_exit(0);
 }
@@ -141,12 +143,12 @@ std::string read_all(int pipe) {
 }
 
 /// The report of a process of its own; empty if it crashed. None can be forked: as a good file.
-std::string outcome_elsewhere(const std::string& path) {
+std::string outcome_elsewhere(const std::string& path, bool groups) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return std::string(1, good);
   const NetcdfLock lock;  // so that no other thread is in HDF5
   const pid_t child = ::fork();
-  if (child == 0) report_outcome(path, ends[1]);
+  if (child == 0) report_outcome(path, groups, ends[1]);
   ::close(ends[1]);
   std::string out = child < 0 ? std::string(1, good) : read_all(ends[0]);
   ::close(ends[0]);
@@ -156,8 +158,8 @@ std::string outcome_elsewhere(const std::string& path) {
 
 }  // namespace
 
-void expect_netcdf(const std::string& path) {
-  const std::string outcome = outcome_elsewhere(path);
+void expect_netcdf(const std::string& path, bool groups) {
+  const std::string outcome = outcome_elsewhere(path, groups);
   const auto refuse = [&](const std::string& reason) {
     throw InputError({{.file = path,
                        .reason = reason,
