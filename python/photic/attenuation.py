@@ -8,7 +8,7 @@ import xarray
 from photic.closed_form import expect_lidar_over_flat_sea
 from photic.errors import Error
 from photic.gate_scale import cosine_in_water, has_ranges
-from photic.jackknife import described, estimate
+from photic.jackknife import Estimate, described, estimate
 from photic.names import chosen
 from photic.range_correction import range_corrected
 from photic.ratios import expect_environment, of_telescope
@@ -78,14 +78,15 @@ def k_lidar(
     taken = _taken(logarithms, depth, depths)
     weight = (1 / logarithms.error**2).where(taken, 0.0)
 
-    def between(e):
-        return -(_steps(logarithm(e)) / _steps(path))
+    def of(function, reliable):
+        return Estimate(function(logarithms.value), function(logarithms.replicates), reliable)
 
-    def fitted(e):
-        return -_slope(path, logarithm(e), weight)
-
-    by_interval = described(estimate(part, between), "k", long_name=f"lidar attenuation coefficient of {channel}", units="m-1")
-    fit = described(estimate(part, fitted), "k_fitted", long_name=f"lidar attenuation coefficient of {channel}, fitted", units="m-1")
+    both = logarithms.reliable & logarithms.reliable.shift(gate=-1, fill_value=False)
+    both = both.isel(gate=slice(None, -1)).rename(gate="interval").drop_vars(OF_GATES, errors="ignore")
+    between = of(lambda values: -(_steps(values) / _steps(path)), both)
+    fitted = of(lambda values: -_slope(path, values, weight), (logarithms.reliable | ~taken).all("gate"))
+    by_interval = described(between, "k", long_name=f"lidar attenuation coefficient of {channel}", units="m-1")
+    fit = described(fitted, "k_fitted", long_name=f"lidar attenuation coefficient of {channel}, fitted", units="m-1")
     out = by_interval.merge(fit.rename(reliable="k_fitted_reliable"), compat="override")
     middle = _steps(depth) / 2 + depth.isel(gate=slice(None, -1)).rename(gate="interval").drop_vars(OF_GATES, errors="ignore")
     about = {"long_name": "depth between the middles of two gates", "units": "m"}
